@@ -1,0 +1,51 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""faces.csv: a row a B-rep face."""
+
+from __future__ import annotations
+
+import csv
+from collections.abc import Sequence
+from pathlib import Path
+
+from gpswb.validation.face_result import FaceResult
+
+COLUMNS = (
+    "face",
+    "class",
+    "true_class",
+    "agrees",
+    "surface",
+    "area_mm2",
+    "share",
+    "triangles",
+    "regions",
+    "undecided",
+    "truth_disputed",
+)
+
+
+def write_faces(path: Path, faces: Sequence[FaceResult]) -> None:
+    """Write one row a face, in FreeCAD's order.
+
+    Raises:
+        OSError: the file can't be written.
+    """
+    with path.open("w", newline="", encoding="utf-8") as file:
+        table = csv.writer(file, lineterminator="\n")
+        table.writerow(COLUMNS)
+        for face in faces:
+            table.writerow(
+                (
+                    face.name,
+                    face.invariance_class or "",
+                    face.true_class or "",
+                    "yes" if face.agrees else "no",
+                    face.surface,
+                    f"{face.area:.9g}",
+                    f"{face.share:.6f}",
+                    face.triangles,
+                    " ".join(map(str, face.regions)),
+                    " ".join(face.undecided),
+                    "yes" if face.ambiguous else "no",
+                )
+            )
