@@ -1,0 +1,55 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Labels of vertices on facets, and of facets on vertices."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from gpswb.core.mesh import BoolArray, FloatArray, IntArray, Mesh
+
+
+def facets_from_vertices(labels: IntArray, triangles: IntArray, yields: BoolArray) -> IntArray:
+    """Label of each facet: the majority of its vertices, where yielding vertices count only if all do.
+
+    Args:
+        labels: (n,) int label of each vertex.
+        triangles: (m, 3) int.
+        yields: (n,) bool vertices that give way (those on sharp edges).
+
+    Returns:
+        (m,) int64. Among three different labels the first corner that does not yield decides.
+    """
+    corner = labels[triangles]
+    firm = ~yields[triangles]
+    votes = np.stack(
+        [((corner == corner[:, [k]]) & firm).sum(axis=1) * firm[:, k] for k in range(3)], axis=1
+    )
+    best = np.argmax(votes, axis=1)
+    return corner[np.arange(len(triangles)), best]
+
+
+def vertices_from_facets(labels: IntArray, mesh: Mesh, weights: FloatArray | None = None) -> IntArray:
+    """Label of each vertex: the one with the largest area among its facets.
+
+    Args:
+        labels: (m,) int label of each facet.
+        mesh: the mesh.
+        weights: (m,) weight of each facet; its area if not given.
+
+    Returns:
+        (n,) int64; the smallest label at vertices of no facet.
+    """
+    n = len(mesh.vertices)
+    if not len(labels):
+        return np.zeros(n, dtype=np.int64)
+    weight = mesh.areas if weights is None else weights
+    vertex = mesh.triangles.ravel()
+    low = int(labels.min())
+    span = int(labels.max()) - low + 1
+    key, inverse = np.unique(vertex * span + np.repeat(labels - low, 3), return_inverse=True)
+    total = np.bincount(inverse.ravel(), weights=np.repeat(weight, 3))
+    # Sorted by vertex, then by weight: the last entry of each vertex wins, the smaller label on a tie.
+    order = np.lexsort((-(key % span), total, key // span))
+    result = np.full(n, low, dtype=np.int64)
+    result[key[order] // span] = key[order] % span + low
+    return result
