@@ -61,23 +61,21 @@ def estimate_curvature(
 ) -> Curvature:
     """Curvature tensor of each wedge.
 
-    Each facet's tensor is the least-squares fit of dn = S dx to its three edges (Rusinkiewicz 2004),
-    turned into the tangent plane of each of its wedges and averaged there by corner area.
+    Each facet's tensor is the least-squares fit of dn = S dx to its three edges (Rusinkiewicz
+    2004), turned into the tangent plane of each of its wedges and averaged there by corner area.
 
     Args:
         mesh: the mesh.
         wedges: which corners share a normal and a tensor.
         normals: (w, 3) unit normals of the wedges.
-        sweeps: averaging sweeps over the neighbouring wedges, for noise: k sweeps average over a ball
-            of about sqrt(k) edge lengths that stops at creases.
+        sweeps: averaging sweeps over the neighbouring wedges, for noise: k sweeps average over a
+            ball of about sqrt(k) edge lengths that stops at creases.
     """
     facet_tensor = facet_tensors(mesh, normals[wedges.of_corner])
     weight = np.repeat(mesh.areas[:, None] / 3.0, 3, axis=1)
     axis = mesh.facet_normals
     target = normals[wedges.of_corner]
-    turned = np.stack(
-        [_turn(facet_tensor, axis, target[:, k]) for k in range(3)], axis=1
-    )
+    turned = np.stack([_turn(facet_tensor, axis, target[:, k]) for k in range(3)], axis=1)
     total = wedges.sum_corners(weight[:, :, None, None] * turned)
     area = wedges.sum_corners(weight[:, :, None])[:, 0]
     tensor = np.divide(
@@ -107,10 +105,10 @@ def facet_tensors(mesh: Mesh, corner_normals: FloatArray) -> FloatArray:
     change = np.roll(corner_normals, -1, axis=1) - corner_normals
     x = np.einsum("fak,fik->fia", frame, edges)
     y = np.einsum("fak,fik->fia", frame, change)
-    xx, xy, yy = (np.einsum("fi,fi->f", x[:, :, a], x[:, :, b]) for a, b in ((0, 0), (0, 1), (1, 1)))
-    r0 = np.einsum("fi,fi->f", x[:, :, 0], y[:, :, 0])
-    r1 = np.einsum("fi,fi->f", x[:, :, 1], y[:, :, 0]) + np.einsum("fi,fi->f", x[:, :, 0], y[:, :, 1])
-    r2 = np.einsum("fi,fi->f", x[:, :, 1], y[:, :, 1])
+    xx, xy, yy = ((x[:, :, a] * x[:, :, b]).sum(axis=1) for a, b in ((0, 0), (0, 1), (1, 1)))
+    r0 = (x[:, :, 0] * y[:, :, 0]).sum(axis=1)
+    r1 = (x[:, :, 1] * y[:, :, 0] + x[:, :, 0] * y[:, :, 1]).sum(axis=1)
+    r2 = (x[:, :, 1] * y[:, :, 1]).sum(axis=1)
     # Normal equations [[xx, xy, 0], [xy, xx+yy, xy], [0, xy, yy]] (e, f, g) = (r0, r1, r2):
     # their determinant is (xx + yy) (xx yy - xy^2), so the closed form needs one inverse.
     trace, det2 = xx + yy, xx * yy - xy * xy
@@ -125,10 +123,9 @@ def facet_tensors(mesh: Mesh, corner_normals: FloatArray) -> FloatArray:
     return tensor
 
 
-def principal(
-    tensor: FloatArray, normals: FloatArray
-) -> tuple[FloatArray, FloatArray, FloatArray]:
-    """Closed-form eigenvalues of tangent tensors: k_max (n,), k_min (n,), direction of k_max (n, 3)."""
+def principal(tensor: FloatArray, normals: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
+    """Closed-form eigenvalues of tangent tensors: k_max (n,), k_min (n,), direction of k_max (n,
+    3)."""
     u, v = tangent_frame(normals)
     su, sv = np.einsum("nij,nj->ni", tensor, u), np.einsum("nij,nj->ni", tensor, v)
     a = np.einsum("ni,ni->n", u, su)

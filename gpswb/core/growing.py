@@ -13,8 +13,8 @@ from gpswb.core.mesh import IntArray
 def grow_regions(labels: IntArray, pairs: IntArray) -> tuple[IntArray, int]:
     """Connected components of equal label.
 
-    The result does not depend on where the paper's crawl would start: components are unique. They are
-    numbered by their first element.
+    The result does not depend on where the paper's crawl would start: components are unique. They
+    are numbered by their first element.
 
     Args:
         labels: (n,) int shape type (or any label) of each vertex or facet.

@@ -9,7 +9,8 @@ from gpswb.core.mesh import BoolArray, FloatArray, IntArray, Mesh
 
 
 def facets_from_vertices(labels: IntArray, triangles: IntArray, yields: BoolArray) -> IntArray:
-    """Label of each facet: the majority of its vertices, where yielding vertices count only if all do.
+    """Label of each facet: the majority of its vertices, where yielding vertices count only if all
+    do.
 
     Args:
         labels: (n,) int label of each vertex.
@@ -25,10 +26,13 @@ def facets_from_vertices(labels: IntArray, triangles: IntArray, yields: BoolArra
         [((corner == corner[:, [k]]) & firm).sum(axis=1) * firm[:, k] for k in range(3)], axis=1
     )
     best = np.argmax(votes, axis=1)
-    return corner[np.arange(len(triangles)), best]
+    chosen: IntArray = corner[np.arange(len(triangles)), best]
+    return chosen
 
 
-def vertices_from_facets(labels: IntArray, mesh: Mesh, weights: FloatArray | None = None) -> IntArray:
+def vertices_from_facets(
+    labels: IntArray, mesh: Mesh, weights: FloatArray | None = None
+) -> IntArray:
     """Label of each vertex: the one with the largest area among its facets.
 
     Args:
@@ -48,7 +52,8 @@ def vertices_from_facets(labels: IntArray, mesh: Mesh, weights: FloatArray | Non
     span = int(labels.max()) - low + 1
     key, inverse = np.unique(vertex * span + np.repeat(labels - low, 3), return_inverse=True)
     total = np.bincount(inverse.ravel(), weights=np.repeat(weight, 3))
-    # Sorted by vertex, then by weight: the last entry of each vertex wins, the smaller label on a tie.
+    # Sorted by vertex, then by weight: the last entry of each vertex wins, the smaller label on a
+    # tie.
     order = np.lexsort((-(key % span), total, key // span))
     result = np.full(n, low, dtype=np.int64)
     result[key[order] // span] = key[order] % span + low

@@ -33,7 +33,8 @@ def turning_angles(mesh: Mesh) -> FloatArray:
     """Angle between the normals of the two facets at each interior edge.
 
     Returns:
-        (e,) float64 in [0, pi], rad, aligned with ``mesh.facet_pairs``; 0 beside a degenerate facet.
+        (e,) float64 in [0, pi], rad, aligned with ``mesh.facet_pairs``; 0 beside a degenerate
+        facet.
     """
     first = mesh.facet_normals[mesh.facet_pairs[:, 0]]
     second = mesh.facet_normals[mesh.facet_pairs[:, 1]]
@@ -48,8 +49,8 @@ def feature_edges(mesh: Mesh, tolerances: Tolerances | None = None) -> BoolArray
     """Edges that turn further than the smooth surface beside them (design, section 5).
 
     The curvature on each side of an edge is taken from the edges of the facets around that share no
-    vertex with it; a chord of that surface turns by half of each side's curvature times the width of
-    its facet. An edge that turns much further is a feature edge.
+    vertex with it; a chord of that surface turns by half of each side's curvature times the width
+    of its facet. An edge that turns much further is a feature edge.
 
     Args:
         mesh: the mesh.
@@ -73,8 +74,9 @@ def feature_edges(mesh: Mesh, tolerances: Tolerances | None = None) -> BoolArray
         around = beyond[facet]  # (d, 3) facets across each edge of the facet; -1 at a border
         candidates = edge_of[around].reshape(len(doubtful), 9)
         candidates[np.repeat(around < 0, 3, axis=1)] = -1
-        # Facets beyond the edge itself lie on the other side.
-        candidates[np.repeat(around == mesh.facet_pairs[doubtful, 1 - side][:, None], 3, axis=1)] = -1
+        # The facet beyond the edge itself lies on the other side.
+        opposite = mesh.facet_pairs[doubtful, 1 - side]
+        candidates[np.repeat(around == opposite[:, None], 3, axis=1)] = -1
         expected += 0.5 * height[doubtful, side] * _largest_apart(mesh, rate, doubtful, candidates)
     sharp[doubtful] = angle[doubtful] > tol.sharp_factor * expected + tol.never_sharp
     return sharp
@@ -100,7 +102,8 @@ def _heights(mesh: Mesh) -> FloatArray:
 
 
 def _facet_edges(mesh: Mesh) -> tuple[IntArray, IntArray]:
-    """Row of ``facet_pairs`` and facet across, for up to three edges of each facet: (m, 3); -1: none."""
+    """Row of ``facet_pairs`` and facet across, for up to three edges of each facet: (m, 3); -1:
+    none."""
     m, e = len(mesh.triangles), len(mesh.facet_pairs)
     facet = mesh.facet_pairs.T.ravel()
     other = mesh.facet_pairs[:, ::-1].T.ravel()

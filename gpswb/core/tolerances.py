@@ -10,8 +10,8 @@ from dataclasses import dataclass
 class Tolerances:
     """Thresholds of the modes `corrected` and of the steps it shares with `robust`.
 
-    All are pure numbers: angles in radians, lengths as a share of the bounding-box diagonal, so that
-    the result depends neither on the unit nor on the size of the part.
+    All are pure numbers: angles in radians, lengths as a share of the bounding-box diagonal, so
+    that the result depends neither on the unit nor on the size of the part.
     """
 
     always_sharp: float = 0.7
@@ -19,12 +19,12 @@ class Tolerances:
     export turns by 0.5 rad an edge on a smooth surface."""
 
     never_sharp: float = 0.03
-    """Turning angle (1.7 deg) below which no edge is sharp: shallower creases than this can't be told
-    from the chords of a large smooth surface."""
+    """Turning angle (1.7 deg) below which no edge is sharp: shallower creases than this can't be
+    told from the chords of a large smooth surface."""
 
     sharp_factor: float = 3.0
-    """How far an edge must out-turn what the curvature beside it predicts. A single-strip fillet turns
-    twice the prediction at both its borders, so the factor must exceed 2."""
+    """How far an edge must out-turn what the curvature beside it predicts. A single-strip fillet
+    turns twice the prediction at both its borders, so the factor must exceed 2."""
 
     sagitta: float = 2e-6
     """A facet is plane when the sagitta c l^2 / 8 over its longest edge is below this share of the

@@ -15,8 +15,8 @@ _LABELS = 10  # shape types -4..5 as columns 0..9
 def shape_type_differences() -> FloatArray:
     """(10, 10) table of D(T_i, T_j), rows i and columns j for T = -4..5 (equation 9).
 
-    |T_j - T_i| / 8 between non-planar types, 0 between planes, 1/9 from plane to non-planar. A planar
-    neighbour of a non-planar point has no vote: its D is 1.
+    |T_j - T_i| / 8 between non-planar types, 0 between planes, 1/9 from plane to non-planar. A
+    planar neighbour of a non-planar point has no vote: its D is 1.
     """
     types = np.arange(-4, PLANE + 1)
     table = np.abs(types[:, None] - types[None, :]) / 8.0

@@ -3,8 +3,8 @@
 
 A vertex on a sharp edge has one normal for each side of the edge. A wedge is one such side: the
 corners (facet, vertex) that can be reached from one another around the vertex without crossing a
-crease. Away from creases a vertex has exactly one wedge. Whatever is averaged "at a vertex" (normals,
-curvature tensors) is averaged over wedges, so that nothing leaks across a feature edge.
+crease. Away from creases a vertex has exactly one wedge. Whatever is averaged "at a vertex"
+(normals, curvature tensors) is averaged over wedges, so that nothing leaks across a feature edge.
 """
 
 from __future__ import annotations
@@ -73,4 +73,5 @@ def find_wedges(mesh: Mesh, crease: BoolArray | None = None) -> Wedges:
 def _corner_index(mesh: Mesh, facet: IntArray, vertex: IntArray) -> IntArray:
     """Flat index 3 f + k of the corner of each facet that lies at the given vertex."""
     local = np.argmax(mesh.triangles[facet] == vertex[:, None], axis=1)
-    return 3 * facet + local
+    index: IntArray = 3 * facet + local
+    return index
