@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Colours of the classes and shape types: the paper's wheel (Fig. 8) and a colour-blind-safe one."""
+"""Colours of classes and shape types: the paper's wheel (Fig. 8) and a colour-blind-safe one."""
 
 from __future__ import annotations
 

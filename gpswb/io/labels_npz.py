@@ -14,7 +14,7 @@ from gpswb.validation.face_result import facet_classes
 
 
 def write_labels(path: Path, partition: Partition, facemap: FaceMap | None) -> None:
-    """Write ``vertices`` (n,3), ``triangles`` (m,3), ``region`` (m,), ``class`` (m,), ``face`` (m,).
+    """Write ``vertices`` (n, 3), ``triangles`` (m, 3) and ``region``, ``class``, ``face`` (m,).
 
     ``region`` holds region ids, ``class`` indices into ``CLASSES``, ``face`` 0-based face numbers;
     each −1 for none.

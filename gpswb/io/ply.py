@@ -38,16 +38,21 @@ def write_ply(path: Path, partition: Partition) -> None:
     facets["rgb"] = palette[label]
     facets["class"] = label
     facets["region"] = partition.region
-    header = (
-        "ply\nformat binary_little_endian 1.0\n"
-        "comment gpswb: millimetres; class -1 none, "
-        + ", ".join(f"{i} {name}" for i, name in enumerate(CLASSES))
-        + f"\nelement vertex {len(mesh.vertices)}\n"
-        "property double x\nproperty double y\nproperty double z\n"
-        f"element face {len(facets)}\n"
-        "property list uchar int vertex_indices\n"
-        "property uchar red\nproperty uchar green\nproperty uchar blue\n"
-        "property char class\nproperty int region\nend_header\n"
+    header = "\n".join(
+        (
+            "ply",
+            "format binary_little_endian 1.0",
+            "comment gpswb: millimetres; class -1 none, "
+            + ", ".join(f"{i} {name}" for i, name in enumerate(CLASSES)),
+            f"element vertex {len(mesh.vertices)}",
+            *(f"property double {axis}" for axis in "xyz"),
+            f"element face {len(facets)}",
+            "property list uchar int vertex_indices",
+            *(f"property uchar {colour}" for colour in ("red", "green", "blue")),
+            "property char class",
+            "property int region",
+            "end_header\n",
+        )
     )
     with path.open("wb") as file:
         file.write(header.encode("ascii"))

@@ -62,7 +62,7 @@ def write_whole(path: Path, text: str) -> None:
             draft = file.name
             file.write(text)
         _open_up(Path(draft), 0o666)
-        os.replace(draft, path)
+        Path(draft).replace(path)
     except OSError as error:
         if draft:
             Path(draft).unlink(missing_ok=True)

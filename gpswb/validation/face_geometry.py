@@ -94,7 +94,7 @@ def parallel_planes(a: FaceTruth, b: FaceTruth) -> bool:
 
 
 def coaxial(a: FaceTruth, b: FaceTruth) -> bool:
-    """Two surfaces with one axis that are not planes (two pieces of one surface are one feature)."""
+    """Two surfaces, not planes, with one axis (two pieces of one surface are one feature)."""
     one, two = _line(a), _line(b)
     if "Plane" in (a.surface, b.surface) or one is None or two is None:
         return False

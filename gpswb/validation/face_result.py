@@ -105,7 +105,9 @@ def map_back(partition: Partition, facemap: FaceMap) -> tuple[FaceResult, ...]:
     return tuple(results)
 
 
-def _regions_of_faces(region: IntArray, face: IntArray, area: FloatArray, f: int) -> list[list[int]]:
+def _regions_of_faces(
+    region: IntArray, face: IntArray, area: FloatArray, f: int
+) -> list[list[int]]:
     """Indices of the regions on each face, the largest first, slivers left out."""
     use = (region >= 0) & (face >= 0)
     key = face[use] * (int(region.max(initial=0)) + 1) + region[use]

@@ -36,10 +36,10 @@ FREEFORM = frozenset({"BSpline", "Bezier", "Offset", "Other"})
 KINDS: dict[str, str] = {
     "no truth": "the CAD surface is missing or can't be evaluated; not counted in the figures",
     "no triangles": "the mesher left the face without a triangle",
-    "truth disputed": "the exact truth and the truth within tolerance differ, or lie in no clear gap",
+    "truth disputed": "exact truth and truth within tolerance differ, or there is no clear gap",
     "undecided": "wrong, but the result says so: the true class is among the candidates listed",
     "fillet lost": "curved, tangent to a neighbour, and most of it lies in a neighbour's region",
-    "tangent chain swallowed": "one region over several tangent features, most of which it fits badly",
+    "tangent chain swallowed": "one region over several features that are tangent to one another",
     "parallel steps merged": "one region over parallel planes that are not coplanar",
     "coaxial steps merged": "one region over coaxial features of different size",
     "merged across a crease": "one region over features that meet at an angle",

@@ -1,0 +1,155 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What `validate` writes and prints."""
+
+from __future__ import annotations
+
+import csv
+import dataclasses
+import json
+from collections.abc import Sequence
+from pathlib import Path
+
+import numpy as np
+
+from gpswb.cli.options import Settings
+from gpswb.cli.table import aligned
+from gpswb.core.mesh import Mesh
+from gpswb.errors import OutputError
+from gpswb.io.whole import write_whole
+from gpswb.report.corpus_markdown import corpus_section, renew_section
+from gpswb.report.corpus_page import corpus_page
+from gpswb.report.corpus_tables import counts_sentence, figures_table, kinds_table
+from gpswb.report.picture import truth_and_recognised
+from gpswb.report.png import png_bytes
+from gpswb.validation.corpus import (
+    RECALL_TRIANGLES,
+    PartRow,
+    failures_by_kind,
+    pooled_confusion,
+    recall,
+    totals,
+    worst_first,
+)
+
+SCHEMA = "gpswb-summary/1"
+
+PART_COLUMNS = (
+    "area_accuracy",
+    "face_accuracy",
+    "region_f1",
+    "judged_faces",
+    "right_faces",
+    "features",
+    "regions",
+    "found",
+    "over_segmented",
+    "under_segmented",
+)
+
+
+def write_corpus(
+    draft: Path,
+    rows: Sequence[PartRow],
+    settings: Settings,
+    title: str,
+    command: str,
+    pictures: int,
+) -> list[str]:
+    """Write summary.csv, faces.csv, summary.json, pictures and report.html; their names.
+
+    Raises:
+        OSError: a file can't be written.
+    """
+    _write_parts(draft / "summary.csv", rows)
+    _write_failures(draft / "faces.csv", rows)
+    summary = {
+        "schema": SCHEMA,
+        "title": title,
+        "command": command,
+        "settings": {**dataclasses.asdict(settings), "density": str(settings.density)},
+        "totals": dataclasses.asdict(totals(rows)),
+        "confusion": pooled_confusion(rows),
+        "recall": recall(rows, 0),
+        f"recall_{RECALL_TRIANGLES}_triangles": recall(rows, RECALL_TRIANGLES),
+        "failures_by_kind": [dataclasses.asdict(kind) for kind in failures_by_kind(rows)],
+        "parts": [
+            {
+                "name": row.name,
+                "status": row.status,
+                "message": row.message,
+                "seconds": round(row.seconds, 3),
+                "mesh": row.document.get("mesh"),
+                **{key: row.figures.get(key) for key in PART_COLUMNS},
+            }
+            for row in rows
+        ],
+    }
+    text = json.dumps(summary, indent=1, ensure_ascii=False, allow_nan=False)
+    (draft / "summary.json").write_text(text + "\n", encoding="utf-8")
+    (draft / "pictures").mkdir()
+    drawn = {row.name: _picture(draft, row) for row in worst_first(rows)[: max(0, pictures)]}
+    for name, png in drawn.items():
+        (draft / "pictures" / f"{name}.png").write_bytes(png)
+    page = corpus_page(rows, title, command, drawn)
+    (draft / "report.html").write_text(page, encoding="utf-8")
+    return ["report.html", "summary.json", "summary.csv", "faces.csv", "pictures", "parts"]
+
+
+def write_docs(path: Path, rows: Sequence[PartRow], title: str, command: str) -> None:
+    """Renew the section ``title`` of a Markdown document, whole or not at all.
+
+    Raises:
+        OutputError: the document can't be read or written, or its markers do not pair.
+    """
+    try:
+        old = path.read_text(encoding="utf-8") if path.exists() else "# Validation\n\n"
+    except (OSError, UnicodeDecodeError) as error:
+        raise OutputError(f"can't read {path}: {error}") from error
+    write_whole(path, renew_section(old, title, corpus_section(rows, title, command)))
+
+
+def summary_lines(rows: Sequence[PartRow]) -> list[str]:
+    """What is printed: totals, failures by kind, files without a result."""
+    figures, kinds = figures_table(rows), kinds_table(rows)
+    lines = [f"{row.name}: {row.status}: {row.message}" for row in rows if row.status != "done"]
+    lines.append(counts_sentence(rows))
+    lines += aligned([figures.head, *figures.rows], right=(1, 2, 3))
+    if kinds.rows:
+        shown = (0, 2, 4, 5, 6, 7)
+        head = ("failures by kind", "wrong", "area", "unmatched", "parts", "largest")
+        short = [head, *(tuple(row[i] for i in shown) for row in kinds.rows)]
+        lines += aligned(short, right=(1, 2, 3, 4))
+    return lines
+
+
+def _write_parts(path: Path, rows: Sequence[PartRow]) -> None:
+    with path.open("w", newline="", encoding="utf-8") as file:
+        table = csv.writer(file, lineterminator="\n")
+        table.writerow(("file", "status", "message", "seconds", "triangles", *PART_COLUMNS))
+        for row in rows:
+            triangles = row.document["mesh"]["triangles"] if row.document else ""
+            figures = ("" if (v := row.figures.get(k)) is None else v for k in PART_COLUMNS)
+            said = (row.name, row.status, row.message, f"{row.seconds:.2f}", triangles)
+            table.writerow((*said, *figures))
+
+
+def _write_failures(path: Path, rows: Sequence[PartRow]) -> None:
+    columns = ("face", "kind", "wrong_class", "true_class", "class", "surface", "area",
+               "triangles", "iou", "region")  # fmt: skip
+    with path.open("w", newline="", encoding="utf-8") as file:
+        table = csv.writer(file, lineterminator="\n")
+        table.writerow(("file", *columns))
+        for row in rows:
+            for failure in row.figures.get("failures", ()):
+                table.writerow((row.name, *(failure[column] for column in columns)))
+
+
+def _picture(draft: Path, row: PartRow) -> bytes:
+    """Truth and recognised side by side, from the part's labels."""
+    with np.load(draft / "parts" / row.name / "labels.npz", allow_pickle=False) as labels:
+        mesh = Mesh(labels["vertices"], labels["triangles"])
+        face, label = labels["face"], labels["class"]
+    faces = row.document["faces"]
+    wrong = [i for i, f in enumerate(faces) if f["true_class"] and f["class"] != f["true_class"]]
+    truth = [f["true_class"] for f in faces]
+    return png_bytes(truth_and_recognised(mesh, face, truth, label, np.array(wrong, dtype=int)))

@@ -1,0 +1,90 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""One part through the whole pipeline: read, tessellate, partition, map back, validate."""
+
+from __future__ import annotations
+
+import hashlib
+import time
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+import numpy as np
+
+from gpswb.cad.read import read_solid
+from gpswb.cad.solid import Solid
+from gpswb.cli.options import Settings
+from gpswb.core.mesh import Mesh
+from gpswb.core.partition import Partition
+from gpswb.core.pipeline import partition
+from gpswb.io.mesh_file import SUFFIXES, read_mesh
+from gpswb.validation.validate import Validation, validate
+
+Progress = Callable[[str, float], None]
+"""Called with the stage's name and the share (0..1) of the whole work that is done."""
+
+NOISE_SEED = 18183
+"""Seed of the noise that is added for tests, so that a run can be repeated."""
+
+
+@dataclass(frozen=True, eq=False)
+class Outcome:
+    """A part's solid, its partition and, where there is a B-rep, its validation."""
+
+    solid: Solid
+    partition: Partition
+    validation: Validation | None
+
+
+def examine(path: Path, settings: Settings, progress: Progress | None = None) -> Outcome:
+    """Take one file through the pipeline.
+
+    Raises:
+        GpswbError: the file can't be read, or holds nothing to partition.
+    """
+    if progress:
+        progress("read", 0.0)
+    solid = read_any(path, settings)
+    if settings.noise_added > 0:
+        solid = add_noise(solid, settings.noise_added)
+    result = partition(
+        solid.mesh,
+        mode=settings.mode,
+        method=settings.method,
+        noise=settings.noise,
+        progress=progress,
+    )
+    judged = validate(result, solid.facemap) if solid.facemap else None
+    return Outcome(solid, result, judged)
+
+
+def read_any(path: Path, settings: Settings) -> Solid:
+    """Read a CAD file by its kernel, or a mesh file as it stands.
+
+    Raises:
+        GpswbError: the file can't be read, or holds no triangles.
+    """
+    if path.suffix.lower() not in SUFFIXES:
+        return read_solid(path, settings.density, settings.kernel)
+    start = time.perf_counter()
+    mesh = read_mesh(path)
+    return Solid(
+        mesh=mesh,
+        facemap=None,
+        source=str(path),
+        unit="mm",
+        density="as read",
+        mesher="none",
+        notes=("a mesh file names no unit: its coordinates are taken as mm",),
+        sha256=hashlib.sha256(path.read_bytes()).hexdigest(),
+        timings={"read": time.perf_counter() - start, "tessellate": 0.0},
+    )
+
+
+def add_noise(solid: Solid, fraction: float) -> Solid:
+    """Displace every vertex by a normal deviate of σ = ``fraction`` of the diagonal an axis."""
+    random = np.random.default_rng(NOISE_SEED)
+    vertices = solid.mesh.vertices
+    moved = vertices + random.normal(0.0, fraction * solid.mesh.diagonal, vertices.shape)
+    note = f"gaussian noise added, sigma {fraction:g} of the diagonal"
+    return replace(solid, mesh=Mesh(moved, solid.mesh.triangles), notes=(*solid.notes, note))

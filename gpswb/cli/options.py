@@ -1,0 +1,81 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Options that several verbs share."""
+
+from __future__ import annotations
+
+import argparse
+import math
+from dataclasses import dataclass
+from typing import Literal, get_args
+
+from gpswb.cad.density import FORMS, Density
+
+MODES = ("robust", "corrected", "paper")
+METHODS = ("hybrid", "curvature", "slippage")
+Kernel = Literal["ocp", "freecad"]
+
+
+@dataclass(frozen=True)
+class Settings:
+    """How one part is to be examined.
+
+    ``noise`` is the σ (mm) told to the pipeline, None to let it estimate; ``noise_added`` the
+    displacement given to the vertices before, as a fraction of the diagonal, which it isn't told.
+    """
+
+    density: Density
+    mode: str
+    method: str
+    kernel: Kernel
+    noise: float | None = None
+    noise_added: float = 0.0
+
+
+def add_pipeline_options(parser: argparse.ArgumentParser) -> None:
+    """Add ``--mode``, ``--method`` and ``--kernel``."""
+    parser.add_argument("--mode", choices=MODES, default="robust", help="default: %(default)s")
+    parser.add_argument("--method", choices=METHODS, default="hybrid", help="default: %(default)s")
+    parser.add_argument(
+        "--kernel", choices=get_args(Kernel), default="ocp", help="default: %(default)s"
+    )
+
+
+def add_density_option(parser: argparse.ArgumentParser) -> None:
+    """Add ``--density``."""
+    parser.add_argument(
+        "--density", type=density, default=Density("auto"), help=f"{FORMS}; default: %(default)s"
+    )
+
+
+def density(text: str) -> Density:
+    """Argparse type of a density."""
+    try:
+        return Density.parse(text)
+    except ValueError as error:
+        raise argparse.ArgumentTypeError(str(error)) from None
+
+
+def non_negative(text: str) -> float:
+    """Argparse type of a finite number that is not negative."""
+    try:
+        value = float(text)
+    except ValueError:
+        value = math.nan
+    if not (math.isfinite(value) and value >= 0):
+        raise argparse.ArgumentTypeError(f"{text!r} is not a number of at least 0")
+    return value
+
+
+def positive(text: str) -> float:
+    """Argparse type of a finite number above zero."""
+    value = non_negative(text)
+    if value == 0:
+        raise argparse.ArgumentTypeError("must be above 0")
+    return value
+
+
+def positive_int(text: str) -> int:
+    """Argparse type of a whole number of at least one."""
+    if not (text.isascii() and text.isdigit() and int(text) >= 1):
+        raise argparse.ArgumentTypeError(f"{text!r} is not a whole number of at least 1")
+    return int(text)

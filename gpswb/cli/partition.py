@@ -1,0 +1,84 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""``gpswb partition``: one part in, its recognised regions and faces out."""
+
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from gpswb.cli.options import (
+    Settings,
+    add_density_option,
+    add_pipeline_options,
+    non_negative,
+)
+
+if TYPE_CHECKING:
+    from gpswb.cli.one_part import Outcome
+
+OWNED = ("result.json", "labels.npz", "mesh.ply", "faces.csv", "report.html")
+"""Every file that this verb may write in the output directory."""
+
+
+def register(verbs: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+    """Add the verb to the command's parser."""
+    parser = verbs.add_parser(
+        "partition",
+        help="partition one part, recognise its regions, validate against CAD",
+        description="INPUT is a part (STEP, BREP, FCStd) or a mesh (STL, PLY, OFF, OBJ).",
+    )
+    parser.add_argument("input", type=Path, metavar="INPUT")
+    parser.add_argument("--out", type=Path, required=True, metavar="DIR")
+    add_density_option(parser)
+    add_pipeline_options(parser)
+    parser.add_argument(
+        "--noise",
+        type=non_negative,
+        metavar="SIGMA",
+        help="standard deviation of the vertices, mm; default: estimated from the mesh",
+    )
+    parser.add_argument("--no-report", action="store_true", help="don't write report.html")
+    parser.set_defaults(run=run)
+
+
+def run(args: argparse.Namespace) -> int:
+    """Do it; the exit code."""
+    from gpswb.cli.one_part import examine
+    from gpswb.cli.progress import stage_bar
+    from gpswb.cli.table import result_lines
+    from gpswb.io.whole import whole_directory
+
+    settings = Settings(args.density, args.mode, args.method, args.kernel, noise=args.noise)
+    with whole_directory(args.out, OWNED) as draft:
+        with stage_bar() as progress:
+            outcome = examine(args.input, settings, progress)
+        names = write_all(draft, outcome, report=not args.no_report)
+    for line in result_lines(outcome):
+        print(line)
+    print("wrote " + " ".join(str(args.out / name) for name in names))
+    return 0
+
+
+def write_all(directory: Path, outcome: Outcome, report: bool) -> list[str]:
+    """Write what this verb writes; the names of the files, the main one first."""
+    from gpswb.io.faces_csv import write_faces
+    from gpswb.io.labels_npz import write_labels
+    from gpswb.io.ply import write_ply
+    from gpswb.io.result_json import result_document, write_result
+
+    solid, partition, validation = outcome.solid, outcome.partition, outcome.validation
+    document = result_document(solid, partition, validation)
+    write_result(directory / "result.json", document)
+    write_labels(directory / "labels.npz", partition, solid.facemap)
+    write_ply(directory / "mesh.ply", partition)
+    names = ["result.json", "labels.npz", "mesh.ply"]
+    if validation:
+        write_faces(directory / "faces.csv", validation.faces)
+        names.append("faces.csv")
+    if report:
+        from gpswb.report.part_report import write_report
+
+        write_report(directory / "report.html", document, partition, solid.facemap)
+        names.append("report.html")
+    return names
