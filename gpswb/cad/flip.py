@@ -1,0 +1,123 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Delaunay flips inside faces: the diagonal of two triangles goes where their angles are better."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+
+from gpswb.cad.split import distinct_sides
+from gpswb.cad.weld import Tessellation
+from gpswb.core.mesh import BoolArray, FloatArray, IntArray
+
+_GAIN = 1e-6
+"""Least gain (sum of opposite angles above pi, rad): equal diagonals must not flip for ever."""
+
+
+def flip(mesh: Tessellation, rounds: int = 12) -> Tessellation:
+    """Flip sides inside faces until Delaunay (opposite angles in space sum to at most pi).
+
+    A flip is made only where the two new triangles keep their orientation in parameter space and in
+    space; sides on B-rep edges and triangles at poles stay as they are.
+    """
+    for _ in range(rounds):
+        first, second = _pairs(mesh)
+        if not len(first):
+            break
+        chosen = _choose(mesh, first, second)
+        if not chosen.any():
+            break
+        mesh = _apply(mesh, first[chosen], second[chosen])
+    return mesh
+
+
+def _pairs(mesh: Tessellation) -> tuple[IntArray, IntArray]:
+    """Flat indices 3·triangle + side of both occurrences of every side that may flip."""
+    sides = distinct_sides(mesh)
+    number = sides.number.ravel()
+    order = np.argsort(number, kind="stable")
+    start = np.cumsum(np.r_[0, sides.count[:-1]])[sides.count == 2]
+    first, second = order[start], order[start + 1]
+    rim = mesh.edge.ravel() >= 0
+    pole = (mesh.free > 0).any(axis=1)
+    good = ~rim[first] & ~pole[first // 3] & ~pole[second // 3]
+    return first[good], second[good]
+
+
+def _corners(mesh: Tessellation, side: IntArray) -> tuple[IntArray, IntArray]:
+    """Triangle and local corners (q, 3): start, end and apex of the side."""
+    return side // 3, (side % 3)[:, None] + np.array([0, 1, 2])
+
+
+def _choose(mesh: Tessellation, first: IntArray, second: IntArray) -> BoolArray:
+    t1, c1 = _corners(mesh, first)
+    t2, c2 = _corners(mesh, second)
+    ids = mesh.triangles[t1[:, None], c1 % 3]
+    apex = mesh.triangles[t2, c2[:, 2] % 3]
+    a, b, c, d = (mesh.vertices[i] for i in (ids[:, 0], ids[:, 1], ids[:, 2], apex))
+    gain = _angle(a, c, b) + _angle(a, d, b) - np.pi
+    uv1 = mesh.uv[t1[:, None], c1 % 3]
+    uv_d = mesh.uv[t2, c2[:, 2] % 3]
+    ua, ub, uc = uv1[:, 0], uv1[:, 1], uv1[:, 2]
+    old = _area(ua, ub, uc) + _area(ub, ua, uv_d)
+    new1, new2 = _area(ua, uv_d, uc), _area(uv_d, ub, uc)
+    least = 1e-3 * np.abs(old)
+    turned = (np.sign(old) * new1 > least) & (np.sign(old) * new2 > least)
+    normal = np.cross(b - a, c - a) + np.cross(a - b, d - b)
+    agree = (np.einsum("ij,ij->i", normal, np.cross(d - a, c - a)) > 0) & (
+        np.einsum("ij,ij->i", normal, np.cross(b - d, c - d)) > 0
+    )
+    wanted = (gain > _GAIN) & turned & agree & (apex != ids[:, 2])
+    # A triangle takes part in its best flip only.
+    best = np.zeros(len(mesh.triangles))
+    worth = np.where(wanted, gain, 0.0)
+    np.maximum.at(best, t1, worth)
+    np.maximum.at(best, t2, worth)
+    wanted &= (worth == best[t1]) & (worth == best[t2])
+    # Equal gains may still meet in a triangle: the last writer wins.
+    owner = np.full(len(mesh.triangles), -1, dtype=np.int64)
+    rows = np.flatnonzero(wanted)
+    owner[t1[rows]] = rows
+    owner[t2[rows]] = rows
+    wanted[rows] = (owner[t1[rows]] == rows) & (owner[t2[rows]] == rows)
+    return wanted
+
+
+def _apply(mesh: Tessellation, first: IntArray, second: IntArray) -> Tessellation:
+    t1, c1 = _corners(mesh, first)
+    t2, c2 = _corners(mesh, second)
+    i1, i2 = c1 % 3, c2 % 3
+    out: dict[str, np.ndarray] = {}
+    for name in ("triangles", "uv", "free"):
+        array = getattr(mesh, name).copy()
+        a, b, c = (array[t1, i1[:, k]] for k in range(3))
+        d = array[t2, i2[:, 2]]
+        array[t1] = np.stack([a, d, c], axis=1)
+        array[t2] = np.stack([d, b, c], axis=1)
+        out[name] = array
+    inside = {"edge": -1, "side": 0, "ends": 0.0}
+    for name, fill in inside.items():
+        array = getattr(mesh, name).copy()
+        # Sides of the first triangle: a-b (gone), b-c, c-a; of the second: b-a, a-d, d-b.
+        bc, ca = array[t1, i1[:, 1]], array[t1, i1[:, 2]]
+        ad, db = array[t2, i2[:, 1]], array[t2, i2[:, 2]]
+        none = np.full_like(bc, fill)
+        array[t1] = np.stack([ad, none, ca], axis=1)
+        array[t2] = np.stack([db, bc, none], axis=1)
+        out[name] = array
+    return replace(mesh, **out)
+
+
+def _angle(p: FloatArray, q: FloatArray, r: FloatArray) -> FloatArray:
+    """Angle at q."""
+    x, y = p - q, r - q
+    cross = np.linalg.norm(np.cross(x, y), axis=1)
+    angle: FloatArray = np.arctan2(cross, np.einsum("ij,ij->i", x, y))
+    return angle
+
+
+def _area(p: FloatArray, q: FloatArray, r: FloatArray) -> FloatArray:
+    x, y = q - p, r - p
+    area: FloatArray = x[:, 0] * y[:, 1] - x[:, 1] * y[:, 0]
+    return area

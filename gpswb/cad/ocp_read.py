@@ -1,0 +1,77 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Reading STEP, BREP and FCStd files with OCP."""
+
+from __future__ import annotations
+
+import contextlib
+from collections.abc import Iterator
+from pathlib import Path
+
+from OCP.BRep import BRep_Builder
+from OCP.BRepTools import BRepTools
+from OCP.IFSelect import IFSelect_RetDone
+from OCP.Message import Message
+from OCP.STEPControl import STEPControl_Reader
+from OCP.TColStd import TColStd_SequenceOfAsciiString
+from OCP.TopoDS import TopoDS_Shape
+
+from gpswb.cad.ocp import OcpShape
+from gpswb.cad.sniff import Format
+from gpswb.cad.units import unit_name
+from gpswb.errors import InputError
+
+
+def read(path: Path, form: Format) -> OcpShape:
+    """Read a file; coordinates become mm.
+
+    Raises:
+        InputError: the kernel can't read the file, or it holds no face.
+    """
+    with _quiet():
+        if form == "step":
+            shape, unit, notes = _read_step(path)
+        elif form == "brep":
+            shape, unit, notes = _read_brep(path), "mm", ()
+        else:
+            raise InputError(f"{path}: FCStd documents are read with --kernel freecad")
+        if shape is None or shape.IsNull():
+            raise InputError(f"{path}: the file holds no shape")
+        result = OcpShape(shape, unit, notes)
+    if not result.faces:
+        raise InputError(f"{path}: the shape has no faces")
+    return result
+
+
+def _read_step(path: Path) -> tuple[TopoDS_Shape | None, str, tuple[str, ...]]:
+    reader = STEPControl_Reader()
+    if reader.ReadFile(str(path)) != IFSelect_RetDone:
+        raise InputError(f"{path}: not a STEP file that the kernel can read")
+    lengths, angles, solids = (TColStd_SequenceOfAsciiString() for _ in range(3))
+    reader.FileUnits(lengths, angles, solids)
+    names = [unit_name(lengths.Value(i).ToCString()) for i in range(1, lengths.Size() + 1)]
+    unit, notes = (names[0] if names else "mm"), ()
+    if len(set(names)) > 1:
+        notes = (f"the file uses several length units: {', '.join(dict.fromkeys(names))}",)
+    reader.TransferRoots()
+    return (reader.OneShape() if reader.NbShapes() else None), unit, notes
+
+
+def _read_brep(path: Path) -> TopoDS_Shape:
+    shape = TopoDS_Shape()
+    if not BRepTools.Read_s(shape, str(path), BRep_Builder()):
+        raise InputError(f"{path}: not a BREP file that the kernel can read")
+    return shape
+
+
+@contextlib.contextmanager
+def _quiet() -> Iterator[None]:
+    """Keep OCCT's own reports off standard output."""
+    messenger = Message.DefaultMessenger_s()
+    printers = [p for p in messenger.Printers()]
+    for printer in printers:
+        messenger.RemovePrinter(printer)
+    try:
+        yield
+    finally:
+        for printer in printers:
+            messenger.AddPrinter(printer)

@@ -1,0 +1,51 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Exact outward normals and arc lengths of a face's surface, for either kernel."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from gpswb.cad.kernel import BrepFace
+from gpswb.core.mesh import FloatArray
+
+_NUDGE = 1e-5
+"""Step towards the middle of the face, as a fraction of it, where the surface has no normal: at a
+pole or an apex the limit is wanted, and there is no need for it to be exact."""
+
+
+def outward_normals(face: BrepFace, uv: FloatArray) -> FloatArray:
+    """(k, 3) exact unit normals out of the solid at the parameters (k, 2)."""
+    _, du, dv = face.derivatives(uv)
+    normal, good = _unit_cross(du, dv)
+    if not good.all():
+        u0, u1, v0, v1 = face.bounds
+        middle = np.array([(u0 + u1) / 2, (v0 + v1) / 2])
+        nudged = uv[~good] + _NUDGE * (middle - uv[~good])
+        _, du, dv = face.derivatives(nudged)
+        normal[~good] = _unit_cross(du, dv)[0]
+    return normal * face.outward
+
+
+def _unit_cross(du: FloatArray, dv: FloatArray) -> tuple[FloatArray, np.ndarray]:
+    cross = np.cross(du, dv)
+    size = np.linalg.norm(cross, axis=1)
+    scale = np.max(np.linalg.norm(du, axis=1) * np.linalg.norm(dv, axis=1), initial=0.0)
+    good = size > 1e-9 * scale
+    return np.divide(cross, size[:, None], out=np.zeros_like(cross), where=size[:, None] > 0), good
+
+
+def arc_lengths(face: BrepFace, samples: int = 17) -> tuple[FloatArray, FloatArray]:
+    """Cumulated length (mm) of the face's u and v lines at evenly spaced parameters, (samples,)
+    each: the mean over five lines across the face's parameter box."""
+    u0, u1, v0, v1 = face.bounds
+    along, across = np.linspace(0, 1, samples), np.linspace(0.1, 0.9, 5)
+    tables = []
+    for axis in (0, 1):
+        uv = np.empty((5, samples, 2))
+        uv[..., axis] = along[None, :]
+        uv[..., 1 - axis] = across[:, None]
+        uv = uv * [u1 - u0, v1 - v0] + [u0, v0]
+        point = face.derivatives(uv.reshape(-1, 2))[0].reshape(5, samples, 3)
+        step = np.linalg.norm(np.diff(point, axis=1), axis=2).mean(axis=0)
+        tables.append(np.concatenate([[0.0], np.cumsum(step)]))
+    return tables[0], tables[1]

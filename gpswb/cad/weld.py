@@ -1,0 +1,140 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Weld the faces' patches into one mesh along the edges that the B-rep shares."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.sparse import coo_matrix
+from scipy.sparse.csgraph import connected_components
+
+from gpswb.cad.kernel import Patch
+from gpswb.core.mesh import FloatArray, IntArray
+
+
+@dataclass(frozen=True, eq=False)
+class Tessellation:
+    """A welded mesh which still knows, for each corner, where on its face it lies.
+
+    Side ``k`` of a triangle runs from corner ``k`` to corner ``k+1``.
+
+    Args:
+        vertices: (n, 3) mm.
+        triangles: (m, 3), no vertex twice in a triangle.
+        face: (m,) face of each triangle.
+        uv: (m, 3, 2) parameters of each corner on the triangle's face.
+        edge: (m, 3) B-rep edge that each side lies on, -1 inside a face.
+        side: (m, 3) which pass of the edge (0, or 1 on the far side of a seam).
+        ends: (m, 3, 2) edge parameters at both ends of each side; 0 inside a face.
+        free: (m, 3) parameter that doesn't matter at a corner: 1 is u, 2 is v (pole or apex), else 0.
+    """
+
+    vertices: FloatArray
+    triangles: IntArray
+    face: IntArray
+    uv: FloatArray
+    edge: IntArray
+    side: IntArray
+    ends: FloatArray
+    free: IntArray
+
+    def side_lengths(self) -> FloatArray:
+        """(m, 3) lengths of the sides, mm."""
+        tail = self.vertices[self.triangles]
+        length: FloatArray = np.linalg.norm(np.roll(tail, -1, axis=1) - tail, axis=2)
+        return length
+
+
+def weld(patches: Sequence[Patch]) -> Tessellation:
+    """Make one mesh of all patches.
+
+    Two nodes become one vertex when they are the same point of the same B-rep edge (a seam, a pole
+    and the neighbour's side alike). Distance plays no part: two bodies that touch stay apart.
+    Triangles that lose a side by it are dropped.
+    """
+    offset = np.cumsum([0, *(len(p.nodes) for p in patches)])
+    label = _labels(patches, offset)
+    _, first, vertex = np.unique(label, return_index=True, return_inverse=True)
+    points = np.concatenate([p.nodes for p in patches]).reshape(-1, 3)
+    uv = np.concatenate([p.uv for p in patches]).reshape(-1, 2)
+    corner = np.concatenate([p.triangles + o for p, o in zip(patches, offset, strict=False)])
+    face = np.repeat(np.arange(len(patches)), [len(p.triangles) for p in patches])
+    edge, side, ends = _sides(patches, offset, corner)
+    free = _free(patches, offset)[corner]
+    triangles = vertex[corner]
+    keep = (triangles != np.roll(triangles, -1, axis=1)).all(axis=1)
+    return Tessellation(
+        points[first],
+        triangles[keep],
+        face[keep],
+        uv[corner][keep],
+        edge[keep],
+        side[keep],
+        ends[keep],
+        free[keep],
+    )
+
+
+def _labels(patches: Sequence[Patch], offset: IntArray) -> IntArray:
+    leader: dict[int, IntArray] = {}
+    pairs: list[IntArray] = []
+    for patch, start in zip(patches, offset, strict=False):
+        for rim in patch.rims:
+            nodes = rim.nodes + start
+            if rim.degenerate:
+                pairs.append(np.column_stack([nodes[:-1], nodes[1:]]))
+            other = leader.setdefault(rim.edge, nodes)
+            if len(other) == len(nodes):
+                pairs.append(np.column_stack([other, nodes]))
+    total = int(offset[-1])
+    joined = np.concatenate(pairs) if pairs else np.empty((0, 2), dtype=np.int64)
+    graph = coo_matrix((np.ones(len(joined)), (joined[:, 0], joined[:, 1])), shape=(total, total))
+    labels: IntArray = connected_components(graph, directed=False)[1].astype(np.int64)
+    return labels
+
+
+def _sides(
+    patches: Sequence[Patch], offset: IntArray, corner: IntArray
+) -> tuple[IntArray, IntArray, FloatArray]:
+    """For each side of each triangle the B-rep edge, its pass and the two edge parameters."""
+    total = np.int64(max(int(offset[-1]), 1))
+    key: list[IntArray] = []
+    rows: list[FloatArray] = []
+    leader: dict[int, FloatArray] = {}
+    for patch, start in zip(patches, offset, strict=False):
+        for rim in patch.rims:
+            # Every face takes the parameters of the first one, so that midpoints agree to the bit.
+            t = leader.setdefault(rim.edge, rim.parameters)
+            if len(t) != len(rim.nodes):
+                t = rim.parameters
+            a, b = rim.nodes[:-1] + start, rim.nodes[1:] + start
+            names = np.full(len(a), rim.edge), np.full(len(a), rim.side)
+            key += [a * total + b, b * total + a]
+            rows += [np.column_stack([*names, t[:-1], t[1:]])]
+            rows += [np.column_stack([*names, t[1:], t[:-1]])]
+    m = len(corner)
+    edge = np.full((m, 3), -1, dtype=np.int64)
+    side, ends = np.zeros((m, 3), dtype=np.int64), np.zeros((m, 3, 2))
+    if not key or not m:
+        return edge, side, ends
+    keys, table = np.concatenate(key), np.concatenate(rows)
+    order = np.argsort(keys, kind="stable")
+    wanted = corner * total + np.roll(corner, -1, axis=1)
+    at = np.minimum(np.searchsorted(keys, wanted, sorter=order), len(keys) - 1)
+    found = keys[order[at]] == wanted
+    hit = table[order[at[found]]]
+    edge[found], side[found] = hit[:, 0].astype(np.int64), hit[:, 1].astype(np.int64)
+    ends[found] = hit[:, 2:]
+    return edge, side, ends
+
+
+def _free(patches: Sequence[Patch], offset: IntArray) -> IntArray:
+    free = np.zeros(int(offset[-1]), dtype=np.int64)
+    for patch, start in zip(patches, offset, strict=False):
+        for rim in patch.rims:
+            if rim.degenerate:
+                spread = np.ptp(patch.uv[rim.nodes], axis=0)
+                free[rim.nodes + start] = 1 if spread[0] >= spread[1] else 2
+    return free
