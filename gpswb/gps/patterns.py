@@ -1,0 +1,141 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Patterns n × Ø: equal parallel cylinders in a row, a grid or on a circle."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from gpswb.core.mesh import FloatArray
+from gpswb.gps.coaxial import axial_interval
+from gpswb.gps.gps_feature import GpsFeature, group_of
+from gpswb.gps.invariance_of_union import invariance_of_union
+from gpswb.gps.tolerances import DEFAULT, Tolerances
+from gpswb.gps.twists import Frame, perpendiculars
+
+
+def hole_patterns(
+    features: Sequence[GpsFeature],
+    frame: Frame,
+    first_id: int,
+    tolerances: Tolerances = DEFAULT,
+) -> list[GpsFeature]:
+    """Two or more equal holes (or pins) with parallel axes that lie side by side.
+
+    The arrangement is linear, circle, grid, or free where it is none of these; ``intrinsic`` gives
+    count, diameter and the pitches or the pitch circle (mm).
+    """
+    round_ = [f for f in features if f.surface == "cylinder" and f.size and len(f.points)]
+    groups: list[list[GpsFeature]] = []
+    for feature in sorted(round_, key=lambda f: f.id):
+        for group in groups:
+            if _alike(feature, group[0], tolerances):
+                group.append(feature)
+                break
+        else:
+            groups.append([feature])
+    compounds: list[GpsFeature] = []
+    counts = {"internal": 0, "external": 0}
+    near = 10 * tolerances.distance * frame.length
+    for group in (g for g in groups if len(g) > 1):
+        u, w = perpendiculars(group[0].place.direction)
+        basis = np.column_stack([u, w])
+        spots = np.array([f.place.point for f in group]) @ basis
+        centre = any(
+            np.linalg.norm(f.place.point @ basis - spots.mean(axis=0)) <= near
+            and np.linalg.norm(np.cross(f.place.direction, group[0].place.direction)) < near
+            for f in features
+            if f.place.has_axis and f not in group
+        )
+        counts[group[0].material] += 1
+        number = counts[group[0].material]
+        spread = _arrangement(spots, near, centre)
+        id_ = first_id + len(compounds)
+        compounds.append(_compound(group, id_, number, spread, frame, tolerances))
+    return compounds
+
+
+def _alike(one: GpsFeature, other: GpsFeature, tolerances: Tolerances) -> bool:
+    if one.material != other.material or one.size is None or other.size is None:
+        return False
+    if abs(one.size.value - other.size.value) > tolerances.size * other.size.value:
+        return False
+    cross = np.cross(one.place.direction, other.place.direction)
+    if np.linalg.norm(cross) > np.sin(tolerances.angle):
+        return False
+    low, high = axial_interval(one, other)
+    start, stop = axial_interval(other, other)
+    return low < stop and start < high
+
+
+def _arrangement(spots: FloatArray, near: float, centred: bool) -> tuple[str, dict[str, float]]:
+    """Arrangement of axes at spots (n, 2) mm; ``centred``: a round feature is in their middle.
+
+    Four in a square are a grid, and a circle too: on a circle if something is at its centre.
+    """
+    n = len(spots)
+    away = spots - spots.mean(axis=0)
+    _, _, turn = np.linalg.svd(away)
+    along, across = (away @ turn.T).T
+    if np.abs(across).max() <= near:
+        steps = np.diff(np.sort(along))
+        if np.ptp(steps) <= near:
+            return "linear", {"pitch": float(steps.mean())}
+        return "free", {}
+    radii = np.linalg.norm(away, axis=1)
+    turns = np.diff(np.sort(np.arctan2(away[:, 1], away[:, 0])))
+    circle = np.ptp(radii) <= near and np.abs(turns - 2 * np.pi / n).max() * radii.mean() <= near
+    pitch_circle = {"pitch_circle_diameter": float(2 * radii.mean())}
+    if circle and (n != 4 or centred):
+        return "circle", pitch_circle
+    distances = np.linalg.norm(spots[:, None] - spots[None], axis=2)
+    np.fill_diagonal(distances, np.inf)
+    i, j = divmod(int(np.argmin(distances)), n)
+    side = (spots[j] - spots[i]) / distances[i, j]
+    columns = _levels(spots @ side, near)
+    rows = _levels(spots @ np.array([-side[1], side[0]]), near)
+    if columns is not None and rows is not None and columns[0] * rows[0] == n:
+        return "grid", {
+            "columns": columns[0],
+            "column_pitch": columns[1],
+            "rows": rows[0],
+            "row_pitch": rows[1],
+        }
+    return "free", {}
+
+
+def _levels(values: FloatArray, near: float) -> tuple[int, float] | None:
+    """Count and pitch of evenly spaced levels, or None."""
+    ordered = np.sort(values)
+    steps = np.diff(ordered)
+    steps = steps[steps > near]
+    if not len(steps) or np.ptp(steps) > near:
+        return None
+    return len(steps) + 1, float(steps.mean())
+
+
+def _compound(
+    group: list[GpsFeature],
+    id_: int,
+    number: int,
+    spots: tuple[str, dict[str, float]],
+    frame: Frame,
+    tolerances: Tolerances,
+) -> GpsFeature:
+    arrangement, pitches = spots
+    holes = group[0].material == "internal"
+    union = invariance_of_union([f.place for f in group], frame, tolerances)
+    return group_of(
+        group,
+        id_=id_,
+        name=f"{'Hole' if holes else 'Pin'} pattern {number}",
+        kind="hole pattern" if holes else "pin pattern",
+        invariance_class=union.invariance_class,
+        situations=tuple(f.place for f in group),
+        situation={"point": list(union.point), "direction": list(union.direction)},
+        intrinsic={"count": len(group), "diameter": 2 * group[0].intrinsic["radius"], **pitches},
+        size=group[0].size,
+        derived="median lines",
+        arrangement=arrangement,
+    )

@@ -1,0 +1,181 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Which geometrical specifications a feature may carry (ISO 1101, 2692, 5458; design, 7)."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Literal
+
+from gpswb.gps.characteristics import RULES, Characteristic, Family, Group, family
+from gpswb.gps.datum_system import DatumSystem, datum_system
+from gpswb.gps.explain import explain_freedom
+from gpswb.gps.gps_feature import GpsFeature
+from gpswb.gps.relation import Relation, relation
+from gpswb.gps.zones import zone_shape
+
+Status = Literal["recommended", "allowed", "not allowed"]
+Need = Literal["none", "optional", "required"]
+
+
+@dataclass(frozen=True)
+class Specification:
+    """One geometrical characteristic for one feature.
+
+    Args:
+        characteristic: its name in ISO 1101; ``symbol`` its sign, ``group`` form, profile, ...
+        status: recommended, allowed or not allowed, with its ``reason``.
+        datum: whether a datum must, may or must not stand in the frame.
+        datums: the datum section, empty without datums.
+        modifiers: material modifiers that may follow the value; empty if none may.
+        combination: CZ for a pattern, UF for an interrupted surface.
+        zone: shape of the tolerance zone; ``prefix`` of the value: nothing, Ø or SØ.
+        value: "?" until the user says otherwise: a tolerance is never invented.
+    """
+
+    characteristic: Characteristic
+    symbol: str
+    group: Group
+    status: Status
+    reason: str
+    datum: Need
+    datums: str
+    modifiers: tuple[str, ...]
+    combination: str
+    zone: str
+    prefix: str
+    value: str = "?"
+
+
+def permitted_specifications(
+    feature: GpsFeature, system: DatumSystem | None = None
+) -> tuple[Specification, ...]:
+    """Every characteristic of ISO 1101 for a feature under a datum system.
+
+    A feature that is a datum of the system itself is judged under the letters before its own.
+
+    Returns:
+        15 rows in the standard's order, not allowed ones included, each with its reason.
+    """
+    kind = family(feature)
+    stands = None
+    before = _letters_before(feature, system) if system is not None else None
+    if before is not None and before.datums:
+        stands = relation(feature, before)
+    best = _recommended(feature, kind, stands)
+    rows = []
+    for name, rule in RULES.items():
+        need = _need(name, kind, rule.group)
+        status, reason = _judge(name, feature, kind, stands)
+        if name == best and status == "allowed":
+            status = "recommended"
+        zone, prefix = zone_shape(name, kind)
+        rows.append(
+            Specification(
+                characteristic=name,
+                symbol=rule.symbol,
+                group=rule.group,
+                status=status,
+                reason=reason,
+                datum=need,
+                datums=before.notation if before is not None and need != "none" else "",
+                modifiers=_modifiers(name, feature, kind),
+                combination="CZ" if kind == "group" else "UF" if feature.interrupted else "",
+                zone=zone,
+                prefix=prefix,
+            )
+        )
+    return tuple(rows)
+
+
+def _letters_before(feature: GpsFeature, system: DatumSystem) -> DatumSystem:
+    for i, datum in enumerate(system.datums):
+        if any(f.id == feature.id for f in datum.features):
+            return datum_system(system.datums[:i], system.frame, system.tolerances)
+    return system
+
+
+def _need(name: Characteristic, kind: Family, group: Group) -> Need:
+    if group == "form":
+        return "none"
+    if group == "profile" or (name == "position" and kind == "group"):
+        return "optional"
+    return "required"
+
+
+def _modifiers(name: Characteristic, feature: GpsFeature, kind: Family) -> tuple[str, ...]:
+    """Material modifiers go with the derived feature of a linear feature of size (ISO 2692)."""
+    derived = RULES[name].group == "orientation" or name in ("position", "coaxiality", "symmetry")
+    derived |= name == "straightness" and kind == "cylinder"
+    derived |= name == "flatness" and kind == "opposed planes"
+    return ("Ⓜ", "Ⓛ", "Ⓡ") if derived and feature.of_linear_size else ()
+
+
+def _recommended(feature: GpsFeature, kind: Family, stands: Relation | None) -> Characteristic:
+    """The one characteristic that says most of the feature's function."""
+    if stands is None:
+        if kind == "cylinder" and feature.size is not None:
+            return "cylindricity"
+        plain: dict[Family, Characteristic] = {
+            "plane": "flatness", "opposed planes": "flatness", "group": "position",
+        }  # fmt: skip
+        return plain.get(kind, "surface profile")
+    if kind in ("prismatic", "complex"):
+        return "surface profile"
+    if stands.coaxial:
+        return "circular run-out" if kind in ("cone", "revolute") else "coaxiality"
+    if kind == "opposed planes" and stands.symmetric:
+        return "symmetry"
+    sized = kind in ("sphere", "opposed planes", "group", "helical")
+    if not sized and feature.size is None or kind == "cone":
+        located: Characteristic = "surface profile"
+    else:
+        located = "position"
+    if stands.freedom.located or not stands.freedom.oriented or not stands.orientations:
+        return located
+    return stands.orientations[0]
+
+
+def _judge(
+    name: Characteristic, feature: GpsFeature, kind: Family, stands: Relation | None
+) -> tuple[Status, str]:
+    rule = RULES[name]
+    if kind not in rule.families:
+        return "not allowed", f"{feature.name}: {rule.otherwise}"
+    if rule.group == "form":
+        each = ", for each of its features by itself" if kind == "group" else ""
+        return "allowed", f"form of the feature itself, without a datum{each}"
+    if stands is None:
+        if rule.group == "profile":
+            return "allowed", "without a datum it bounds the form"
+        if _need(name, kind, rule.group) == "optional":
+            return "allowed", "CZ holds the features of the group to one another, without a datum"
+        return "not allowed", "it needs a datum, and none stands before this feature"
+    if rule.group == "orientation":
+        return _judge_orientation(name, stands)
+    if rule.group == "run-out" and not stands.turning:
+        return "not allowed", "it doesn't turn about an axis of these datums"
+    if name == "coaxiality" and not stands.coaxial:
+        return "not allowed", "its axis isn't a datum axis: use position"
+    if name == "concentricity" and not stands.concentric:
+        return "not allowed", "its centre isn't on a datum axis or point: use position"
+    if name == "symmetry" and not stands.symmetric:
+        return (
+            "not allowed",
+            "its median feature isn't in a datum plane or on an axis: use position",
+        )
+    if rule.group == "run-out":
+        return "allowed", "it turns about the datum axis"
+    return "allowed", explain_freedom(stands.freedom)
+
+
+def _judge_orientation(name: Characteristic, stands: Relation) -> tuple[Status, str]:
+    if not stands.orientations:
+        return "not allowed", "the datums have no direction"
+    if name == "angularity":
+        return "allowed", "it serves any angle to the datums"
+    if name in stands.orientations:
+        return "allowed", "that is the nominal angle to a datum"
+    return "not allowed", (
+        f"the nominal angle to the first datum is {stands.angle_deg:.4g}°: "
+        f"use {stands.orientations[0]}"
+    )

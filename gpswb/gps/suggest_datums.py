@@ -1,0 +1,97 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Suggest a complete datum system for a part, and the runner-up (design, 7)."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from gpswb.core.invariance import DIMENSION
+from gpswb.gps.datum_system import Datum, DatumSystem, datum_system, part_situation
+from gpswb.gps.gps_feature import GpsFeature
+from gpswb.gps.tolerances import DEFAULT, Tolerances
+from gpswb.gps.twists import Frame
+
+_LETTERS = "ABCDEF"
+
+
+@dataclass(frozen=True, eq=False)
+class Suggestion:
+    """A datum system with the features behind its letters.
+
+    ``needed`` is 6 less the dimension of the part's own class: no system locks more.
+    """
+
+    system: DatumSystem
+    needed: int
+
+    @property
+    def complete(self) -> bool:
+        """Whether nothing stays free but what no datum of this part could lock."""
+        return self.system.degrees >= self.needed
+
+
+def suggest_datums(
+    features: Sequence[GpsFeature], frame: Frame, tolerances: Tolerances = DEFAULT
+) -> tuple[Suggestion, ...]:
+    """The best complete datum system and, where there is one, the runner-up.
+
+    Letter after letter takes the feature that scores most: its area times the degrees of freedom it
+    adds, times how well its kind stands on a fixture or gauge. So a plate gets planes 3+2+1, a flange
+    its face, bore and a hole, a shaft its longest bearing and a shoulder, which stops at 5. No letter
+    is without gain.
+
+    Args:
+        features: integral features and compounds of the part.
+        frame: of the part.
+
+    Returns:
+        None, one or two suggestions; the runner-up doesn't use the first one's primary datum, or if
+        that isn't possible one of its others.
+    """
+    candidates = [f for f in features if f.kind in ("integral", "slot", "rib") and f.sure]
+    if not any(f.kind == "integral" for f in candidates):
+        return ()
+    needed = 6 - DIMENSION[part_situation(candidates, frame, tolerances).invariance_class]
+    best = _greedy(candidates, needed, frame, tolerances)
+    suggestions = [Suggestion(best, needed)]
+    for datum in best.datums:
+        others = [f for f in candidates if f is not datum.features[0]]
+        second = Suggestion(_greedy(others, needed, frame, tolerances), needed)
+        if second.complete:
+            suggestions.append(second)
+            break
+    return tuple(suggestions)
+
+
+def _greedy(
+    candidates: Sequence[GpsFeature], needed: int, frame: Frame, tolerances: Tolerances
+) -> DatumSystem:
+    by_worth = sorted(candidates, key=lambda f: -f.area * _fitness(f))
+    system = datum_system((), frame, tolerances)
+    while system.degrees < needed:
+        best, most = None, 0.0
+        for feature in by_worth:
+            worth = feature.area * _fitness(feature)
+            if worth * (needed - system.degrees) <= most:
+                break
+            datum = Datum(_LETTERS[len(system.datums)], (feature,))
+            longer = datum_system((*system.datums, datum), frame, tolerances)
+            score = worth * longer.locks[-1].degrees
+            if score > most:
+                best, most = longer, score
+        if best is None:
+            break
+        system = best
+    return system
+
+
+def _fitness(feature: GpsFeature) -> float:
+    """How well a kind of feature serves as a datum: planes, then sizes, then the rest."""
+    if feature.kind != "integral":
+        return 0.2
+    if feature.surface == "plane":
+        return 1.0
+    if feature.of_linear_size:
+        return 0.5
+    return {"revolute": 0.1, "prismatic": 0.02, "helical": 0.05}.get(feature.invariance_class, 0.01)
