@@ -1,0 +1,185 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Invariance class of a region by parsimony: the most symmetric class that fits (design, section
+5).
+
+The classes are nested (planar in cylindrical in revolute, prismatic and helical; spherical in
+revolute), so that likelihoods of nested classes tie by construction. A class is accepted when the
+region's vertices lie on a surface of it and its normals agree; the first accepted in the order
+below wins, and the likelihoods are reported beside it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+
+from gpswb.core.invariance import InvarianceClass
+from gpswb.core.likelihood import Densities, log_likelihoods
+from gpswb.core.mesh import FloatArray
+from gpswb.core.partition import Region
+from gpswb.core.reference import Reference, estimate_references
+from gpswb.core.region_samples import RegionSample
+from gpswb.core.situation import describe
+from gpswb.core.thickness import refine_reference, thickness
+from gpswb.core.tolerances import Tolerances
+
+PARSIMONY: tuple[InvarianceClass, ...] = (
+    "planar",
+    "spherical",
+    "cylindrical",
+    "prismatic",
+    "revolute",
+    "helical",
+    "complex",
+)
+"""Most symmetric first; prismatic before revolute, since an axis far away looks like a prism."""
+
+_MARGIN_CAP = 1e6  # a margin beyond this says "exact", whatever the rounding
+
+
+@dataclass(frozen=True, eq=False)
+class Evidence:
+    """How each class fits a region.
+
+    Args:
+        references: reference parameters of each class.
+        stand_off: RMS distance of the vertices to the class's best surface, mm.
+        slip: mean squared sine between the class's motions and the surface.
+        distance: mm: largest stand-off that counts as on the surface.
+        angle: largest slip that counts as tangent.
+    """
+
+    references: Mapping[InvarianceClass, Reference]
+    stand_off: Mapping[InvarianceClass, float]
+    slip: Mapping[InvarianceClass, float]
+    distance: Mapping[InvarianceClass, float]
+    angle: float
+
+    def fits(self, name: InvarianceClass) -> bool:
+        """Whether positions and normals both allow the class."""
+        return self.stand_off[name] <= self.distance[name] and self.slip[name] <= self.angle
+
+
+def slip_of(
+    points: FloatArray,
+    normals: FloatArray,
+    weights: FloatArray,
+    invariance_class: InvarianceClass,
+    reference: Reference,
+) -> float:
+    """Mean squared sine of the angle between a class's motions and the surface; 0 for complex.
+
+    Averaged over the directions that the motions span at each point: both tangent directions for
+    planar, spherical and cylindrical, the one direction of motion for the others.
+    """
+    share = weights / max(float(weights.sum()), 1e-300)
+    if invariance_class == "complex":
+        return 0.0
+    direction, ray = reference.direction, points - reference.point
+    along = normals @ direction
+    if invariance_class == "planar":
+        return float(0.5 * (1.0 - share @ along**2))
+    if invariance_class == "spherical":
+        radial = ray / np.maximum(np.linalg.norm(ray, axis=1, keepdims=True), 1e-300)
+        return float(0.5 * (1.0 - share @ np.einsum("ij,ij->i", normals, radial) ** 2))
+    if invariance_class == "prismatic" or not np.isfinite(reference.lead):
+        return float(share @ along**2)
+    circular = np.cross(direction, ray)
+    if invariance_class == "helical":
+        circular = circular + reference.lead / (2.0 * np.pi) * direction
+    speed = np.maximum(np.linalg.norm(circular, axis=1), 1e-300)
+    turning = (np.einsum("ij,ij->i", normals, circular) / speed) ** 2
+    if invariance_class == "cylindrical":
+        return float(0.5 * (share @ along**2 + share @ turning))
+    return float(share @ turning)
+
+
+def weigh(sample: RegionSample, sigma: float, tolerances: Tolerances) -> Evidence:
+    """Fit every class to a region and measure how it stands off.
+
+    Args:
+        sample: the region.
+        sigma: standard deviation of the vertices' noise, mm.
+        tolerances: ``distance`` is taken of the region's size here.
+    """
+    references = {
+        name: refine_reference(sample.vertices, name, reference)
+        for name, reference in estimate_references(
+            sample.points, sample.normals, sample.weights
+        ).items()
+    }
+    on_surface = max(3.0 * sigma, tolerances.distance * sample.size)
+    # A profile is known only through its chords: a tenth of their sagitta is left to it.
+    on_profile = max(on_surface, 0.1 * sample.turning * sample.edge_length / 8.0)
+    noise = (2.0 * sigma / sample.edge_length) ** 2 if sample.edge_length > 0.0 else 0.0
+    profile = ("prismatic", "revolute", "helical")
+    return Evidence(
+        references=references,
+        stand_off={n: thickness(sample.vertices, n, r) for n, r in references.items()},
+        slip={
+            n: slip_of(sample.points, sample.normals, sample.weights, n, r)
+            for n, r in references.items()
+        },
+        distance={n: on_profile if n in profile else on_surface for n in references},
+        # Where a region ends, corner normals are off by up to half a facet's turning.
+        angle=max(2e-3, sample.turning**2 / 16.0, 4.0 * noise),
+    )
+
+
+def decide(evidence: Evidence) -> InvarianceClass:
+    """The most symmetric class that fits."""
+    return next(name for name in PARSIMONY if evidence.fits(name))
+
+
+def recognise(
+    number: int,
+    sample: RegionSample,
+    initial_regions: int,
+    sigma: float,
+    tolerances: Tolerances,
+    *,
+    forced: InvarianceClass | None = None,
+    densities: Densities = "corrected",
+) -> Region:
+    """Recognise one region, or describe it as a class that another method chose.
+
+    Args:
+        number: its id.
+        sample: the region.
+        initial_regions: how many initial regions it was merged from.
+        sigma: noise of the vertices, mm.
+        tolerances: thresholds.
+        forced: the class, if already decided.
+        densities: which form of the likelihoods to report.
+    """
+    evidence = weigh(sample, sigma, tolerances)
+    chosen = decide(evidence) if forced is None else forced
+    rank = PARSIMONY.index(chosen)
+    least = 0.01 * evidence.distance["planar"]
+    rejected = [evidence.stand_off[n] for n in PARSIMONY[:rank] if not evidence.fits(n)]
+    margin = min(rejected, default=np.inf) / max(evidence.stand_off[chosen], least)
+    few = len(sample.facets) < tolerances.confident_facets
+    surface, situation, intrinsic = describe(
+        sample.vertices,
+        chosen,
+        evidence.references[chosen],
+        max(evidence.distance[chosen], 2.0 * evidence.stand_off[chosen]),
+    )
+    return Region(
+        id=number,
+        invariance_class=chosen,
+        area=sample.area,
+        triangles=len(sample.facets),
+        surface=surface,
+        situation=situation,
+        intrinsic=intrinsic,
+        residual=evidence.stand_off[chosen],
+        margin=float(min(max(margin, 1.0), _MARGIN_CAP)),
+        initial_regions=initial_regions,
+        log_likelihood=log_likelihoods(
+            sample.vertices, evidence.references, evidence.distance["planar"], densities
+        ),
+        undecided=tuple(n for n in PARSIMONY if n != "complex" and evidence.fits(n)) if few else (),
+    )

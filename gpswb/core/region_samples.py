@@ -1,0 +1,103 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What a region's recognition looks at: its vertices, and normals that stay within it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import numpy as np
+
+from gpswb.core.mesh import BoolArray, FloatArray, IntArray, Mesh
+from gpswb.core.normals import wedge_normals
+from gpswb.core.sharp_edges import turning_angles
+from gpswb.core.wedges import find_wedges
+
+
+@dataclass(frozen=True, eq=False)
+class RegionSample:
+    """One region of a mesh.
+
+    Args:
+        facets: (f,) int its facets.
+        vertices: (v, 3) mm, each vertex once.
+        points, normals, weights: (c, 3), (c, 3), (c,): its facets' corners, with normals confined
+            to the region and a third of the facet's area.
+        area: mm^2.
+        size: radius of gyration of its corners, mm.
+        turning: RMS turning angle of its interior edges, rad: how coarse it is.
+        edge_length: root mean square of its edges' lengths, mm.
+    """
+
+    facets: IntArray
+    vertices: FloatArray
+    points: FloatArray
+    normals: FloatArray
+    weights: FloatArray
+    area: float
+    size: float
+    turning: float
+    edge_length: float
+
+
+def confined_normals(mesh: Mesh, region: IntArray, crease: BoolArray) -> FloatArray:
+    """Corner normals (m, 3, 3) averaged neither across creases nor across region borders.
+
+    Args:
+        mesh: the mesh.
+        region: (m,) int region of each facet.
+        crease: (e,) bool feature edges, aligned with ``mesh.facet_pairs``.
+    """
+    border = region[mesh.facet_pairs[:, 0]] != region[mesh.facet_pairs[:, 1]]
+    wedges = find_wedges(mesh, crease | border)
+    return wedge_normals(mesh, wedges)[wedges.of_corner]
+
+
+def region_samples(
+    mesh: Mesh, region: IntArray, count: int, corner_normals: FloatArray
+) -> Iterator[RegionSample]:
+    """Sample of each region 0..count-1 in order; degenerate facets are left out.
+
+    Args:
+        mesh: the mesh.
+        region: (m,) int, -1 for facets of none.
+        count: number of regions.
+        corner_normals: (m, 3, 3), see `confined_normals`.
+    """
+    usable = (region >= 0) & (mesh.areas > 0.0)
+    facets = np.flatnonzero(usable)
+    order = facets[np.argsort(region[facets], kind="stable")]
+    bounds = np.searchsorted(region[order], np.arange(count + 1))
+    turning, length = _interior_turning(mesh, region, count)
+    for r in range(count):
+        inside = order[bounds[r] : bounds[r + 1]]
+        weights = np.repeat(mesh.areas[inside] / 3.0, 3)
+        points = mesh.corners[inside].reshape(-1, 3)
+        area = float(mesh.areas[inside].sum())
+        centre = weights @ points / max(area, 1e-300)
+        spread = weights @ ((points - centre) ** 2).sum(axis=1) / max(area, 1e-300)
+        yield RegionSample(
+            facets=inside,
+            vertices=mesh.vertices[np.unique(mesh.triangles[inside])],
+            points=points,
+            normals=corner_normals[inside].reshape(-1, 3),
+            weights=weights,
+            area=area,
+            size=float(np.sqrt(spread)),
+            turning=float(turning[r]),
+            edge_length=float(length[r]),
+        )
+
+
+def _interior_turning(mesh: Mesh, region: IntArray, count: int) -> tuple[FloatArray, FloatArray]:
+    """RMS turning angle and RMS length of the edges within each region."""
+    first, second = region[mesh.facet_pairs].T
+    inside = (first == second) & (first >= 0)
+    label = first[inside]
+    angle = turning_angles(mesh)[inside]
+    ends = mesh.vertices[mesh.pair_edges[inside]]
+    squared = ((ends[:, 1] - ends[:, 0]) ** 2).sum(axis=1)
+    number = np.maximum(np.bincount(label, minlength=count), 1)
+    turning = np.sqrt(np.bincount(label, weights=angle**2, minlength=count) / number)
+    length = np.sqrt(np.bincount(label, weights=squared, minlength=count) / number)
+    return turning, length

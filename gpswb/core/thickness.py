@@ -1,0 +1,145 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""How far points stand off a surface of a given class: thickness in quotient space (design, 5)."""
+
+from __future__ import annotations
+
+import numpy as np
+from scipy.spatial import cKDTree
+
+from gpswb.core.invariance import InvarianceClass
+from gpswb.core.mesh import FloatArray
+from gpswb.core.quotient import axis_coordinates, quotient_coordinates
+from gpswb.core.reference import Reference, axis_frame, spread
+
+_SAMPLES = 400
+_NEIGHBOURS = 12
+
+
+def thickness(points: FloatArray, invariance_class: InvarianceClass, reference: Reference) -> float:
+    """RMS distance of points to the best surface of a class with the given reference, mm.
+
+    For planar, spherical and cylindrical the scatter of the one quotient coordinate; for prismatic,
+    revolute and helical the scatter of the projected points about their own profile, a quadratic
+    through the nearest projected points. Complex fits everything: 0.
+
+    Args:
+        points: (n, 3) mm, n >= 1; where fewer than 6 points leave a profile undetermined it is 0.
+    """
+    if invariance_class == "complex":
+        return 0.0
+    quotient = quotient_coordinates(points, invariance_class, reference)
+    if quotient.shape[1] == 1:
+        return float(quotient.std())
+    if len(points) < 6:
+        return 0.0
+    offset, _, _ = _profile_offsets(quotient, None)
+    return float(np.sqrt(np.mean(offset**2)))
+
+
+def refine_reference(
+    points: FloatArray,
+    invariance_class: InvarianceClass,
+    reference: Reference,
+    iterations: int = 5,
+) -> Reference:
+    """Move a reference so that the projected points get thinner: Gauss-Newton on profile offsets.
+
+    Normals place an axis only as well as the tessellation knows them; nominal vertices lie on the
+    surface to rounding, which this uses. Prismatic, revolute and helical only: the other references
+    are already fitted by position. A step that does not thin the profile ends the search.
+    """
+    if invariance_class not in ("prismatic", "revolute", "helical") or len(points) < 12:
+        return reference
+    if not np.isfinite(reference.lead):
+        return reference
+    best, least = reference, np.inf
+    trial = reference
+    for _ in range(iterations):
+        quotient = quotient_coordinates(points, invariance_class, trial)
+        jacobian = _quotient_jacobian(points, invariance_class, trial)
+        offset, change, _ = _profile_offsets(quotient, jacobian)
+        cost = float(offset @ offset)
+        if not cost < least:
+            break
+        best, least = trial, cost
+        assert change is not None
+        size = np.maximum(np.linalg.norm(change, axis=0), 1e-300)
+        step = np.linalg.lstsq(change / size, -offset, rcond=1e-3)[0] / size
+        trial = _moved(trial, invariance_class, step)
+    return best
+
+
+def _profile_offsets(
+    quotient: FloatArray, jacobian: FloatArray | None
+) -> tuple[FloatArray, FloatArray | None, FloatArray]:
+    """Signed distances of sampled points (s,) to the quadratic through their neighbours.
+
+    With the Jacobian (n, 2, q) of the quotient coordinates, also that of the distances (s, q): the
+    fit is linear in the neighbours' offsets, so its weights carry over. Third: the samples' index.
+    """
+    n = len(quotient)
+    sample = spread(n, _SAMPLES)
+    k = min(_NEIGHBOURS, max(5, n // 6))
+    _, near = cKDTree(quotient).query(quotient[sample], k=k + 1)
+    near = np.where(near == sample[:, None], near[:, [-1]], near)[:, :k]
+    relative = quotient[near] - quotient[sample][:, None]
+    centred = relative - relative.mean(axis=1, keepdims=True)
+    covariance = np.einsum("ska,skb->sab", centred, centred)
+    angle = 0.5 * np.arctan2(2 * covariance[:, 0, 1], covariance[:, 0, 0] - covariance[:, 1, 1])
+    tangent = np.column_stack([np.cos(angle), np.sin(angle)])
+    normal = np.column_stack([-tangent[:, 1], tangent[:, 0]])
+    along = np.einsum("ska,sa->sk", relative, tangent)
+    scale = np.maximum(np.abs(along).max(axis=1, keepdims=True), 1e-300)
+    along = along / scale
+    design = np.stack([np.ones_like(along), along, along**2], axis=2)
+    # The ridge keeps coincident neighbours (rings of a structured mesh) solvable: their mean
+    # counts.
+    gram = np.swapaxes(design, 1, 2) @ design + 1e-6 * k * np.diag([0.0, 1.0, 1.0])
+    weight = np.linalg.solve(gram, np.swapaxes(design, 1, 2))[:, 0]
+    across = np.einsum("ska,sa->sk", relative, normal)
+    offset = -np.einsum("sk,sk->s", weight, across)
+    if jacobian is None:
+        return offset, None, sample
+    mean = np.einsum("sk,skaq->saq", weight, jacobian[near])
+    change = np.einsum("sa,saq->sq", normal, jacobian[sample] - mean)
+    return offset, change, sample
+
+
+def _quotient_jacobian(
+    points: FloatArray, invariance_class: InvarianceClass, reference: Reference
+) -> FloatArray:
+    """(n, 2, q) change of the quotient coordinates with tilt (2), shift (2) and lead of the
+    axis."""
+    n = len(points)
+    if invariance_class == "prismatic":
+        z = (points - reference.point) @ axis_frame(reference.direction)[2]
+        jacobian = np.zeros((n, 2, 2))
+        jacobian[:, 0, 0] = jacobian[:, 1, 1] = -z
+        return jacobian
+    about = axis_coordinates(points, reference)
+    rho, z = about.rho, about.z
+    cos, sin = np.cos(about.phi), np.sin(about.phi)
+    d_rho = np.stack([-z * cos, -z * sin, -cos, -sin], axis=1)
+    d_z = np.stack([rho * cos, rho * sin, 0 * z, 0 * z], axis=1)
+    if invariance_class == "revolute":
+        return np.stack([d_rho, d_z], axis=1)
+    pitch = reference.lead / (2.0 * np.pi)
+    safe = np.maximum(rho, 1e-9 * float(rho.max(initial=1.0)))
+    d_phi = np.stack([z * sin, -z * cos, sin, -cos], axis=1) / safe[:, None]
+    height = quotient_coordinates(points, "helical", reference)[:, 1]
+    # h = z - c (phi + turns): the turns differ from point to point once h is unwrapped.
+    turns = np.round((z - pitch * about.phi - height) / (2.0 * np.pi * pitch))
+    angle = about.phi + 2.0 * np.pi * turns
+    d_h = np.column_stack([d_z - pitch * d_phi, -angle / (2.0 * np.pi)])
+    return np.stack([np.column_stack([d_rho, np.zeros(n)]), d_h], axis=1)
+
+
+def _moved(reference: Reference, invariance_class: InvarianceClass, step: FloatArray) -> Reference:
+    u, v, d = axis_frame(reference.direction)
+    direction = d + step[0] * u + step[1] * v
+    direction = direction / float(np.linalg.norm(direction))
+    if invariance_class == "prismatic":
+        return Reference(reference.point, direction)
+    point = reference.point + step[2] * u + step[3] * v
+    lead = reference.lead + (float(step[4]) if invariance_class == "helical" else 0.0)
+    return Reference(point, direction, lead)
