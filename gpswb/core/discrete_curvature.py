@@ -6,7 +6,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from gpswb.core.mesh import FloatArray, Mesh
+from gpswb.core.mesh import BoolArray, FloatArray, Mesh
 
 
 def discrete_curvatures(mesh: Mesh, normals: FloatArray) -> tuple[FloatArray, FloatArray]:
@@ -33,12 +33,12 @@ def discrete_curvatures(mesh: Mesh, normals: FloatArray) -> tuple[FloatArray, Fl
     solid = (mesh.areas > 0.0)[:, None]
     cotangent = np.where(solid, dots / double, 0.0)
     angle = np.where(solid, np.arctan2(double, dots), 0.0)
-    voronoi = (
-        np.roll(squared * cotangent, -1, axis=1) + np.roll(squared * cotangent, 1, axis=1)
-    ) / 8
-    obtuse = angle > np.pi / 2
+    share = squared * cotangent
+    voronoi = (np.roll(share, -1, axis=1) + np.roll(share, 1, axis=1)) / 8.0
+    obtuse: BoolArray = angle > np.pi / 2.0
     quarter, half = mesh.areas[:, None] / 4.0, mesh.areas[:, None] / 2.0
-    mixed = np.where(obtuse.any(axis=1)[:, None], np.where(obtuse, half, quarter), voronoi)
+    blunt = obtuse.any(axis=1, keepdims=True)
+    mixed = np.where(blunt, np.where(obtuse, half, quarter), voronoi)
     area = np.bincount(index.ravel(), weights=mixed.ravel(), minlength=n)
     angles = np.bincount(index.ravel(), weights=angle.ravel(), minlength=n)
     laplacian = np.zeros((n, 3))
@@ -58,9 +58,10 @@ def discrete_curvatures(mesh: Mesh, normals: FloatArray) -> tuple[FloatArray, Fl
     return mean + root, mean - root
 
 
-def _on_border(mesh: Mesh) -> np.ndarray[tuple[int, ...], np.dtype[np.bool_]]:
+def _on_border(mesh: Mesh) -> BoolArray:
     """(n,) bool vertices with an edge of a single facet: more edge ends than paired ones."""
     n = len(mesh.vertices)
     ends = 2 * np.bincount(mesh.triangles.ravel(), minlength=n)
     paired = 2 * np.bincount(mesh.pair_edges.ravel(), minlength=n)
-    return np.asarray(ends != paired)
+    border: BoolArray = ends != paired
+    return border

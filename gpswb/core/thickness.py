@@ -32,7 +32,7 @@ def thickness(points: FloatArray, invariance_class: InvarianceClass, reference: 
         return float(quotient.std())
     if len(points) < 6:
         return 0.0
-    offset, _, _ = _profile_offsets(quotient, None)
+    offset, _ = _profile_offsets(quotient, None)
     return float(np.sqrt(np.mean(offset**2)))
 
 
@@ -57,7 +57,7 @@ def refine_reference(
     for _ in range(iterations):
         quotient = quotient_coordinates(points, invariance_class, trial)
         jacobian = _quotient_jacobian(points, invariance_class, trial)
-        offset, change, _ = _profile_offsets(quotient, jacobian)
+        offset, change = _profile_offsets(quotient, jacobian)
         cost = float(offset @ offset)
         if not cost < least:
             break
@@ -71,11 +71,11 @@ def refine_reference(
 
 def _profile_offsets(
     quotient: FloatArray, jacobian: FloatArray | None
-) -> tuple[FloatArray, FloatArray | None, FloatArray]:
+) -> tuple[FloatArray, FloatArray | None]:
     """Signed distances of sampled points (s,) to the quadratic through their neighbours.
 
     With the Jacobian (n, 2, q) of the quotient coordinates, also that of the distances (s, q): the
-    fit is linear in the neighbours' offsets, so its weights carry over. Third: the samples' index.
+    fit is linear in the neighbours' offsets, so its weights carry over.
     """
     n = len(quotient)
     sample = spread(n, _SAMPLES)
@@ -97,12 +97,12 @@ def _profile_offsets(
     gram = np.swapaxes(design, 1, 2) @ design + 1e-6 * k * np.diag([0.0, 1.0, 1.0])
     weight = np.linalg.solve(gram, np.swapaxes(design, 1, 2))[:, 0]
     across = np.einsum("ska,sa->sk", relative, normal)
-    offset = -np.einsum("sk,sk->s", weight, across)
+    offset: FloatArray = -np.einsum("sk,sk->s", weight, across)
     if jacobian is None:
-        return offset, None, sample
+        return offset, None
     mean = np.einsum("sk,skaq->saq", weight, jacobian[near])
-    change = np.einsum("sa,saq->sq", normal, jacobian[sample] - mean)
-    return offset, change, sample
+    change: FloatArray = np.einsum("sa,saq->sq", normal, jacobian[sample] - mean)
+    return offset, change
 
 
 def _quotient_jacobian(
