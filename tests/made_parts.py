@@ -56,7 +56,10 @@ def put_together(
     vertices = np.concatenate([np.asarray(v).reshape(-1, 3) for v, _ in patches])
     offset = np.cumsum([0, *(len(v) for v, _ in patches)])
     triangles = np.concatenate(
-        [np.asarray(t, dtype=int).reshape(-1, 3) + o for (_, t), o in zip(patches, offset)]
+        [
+            np.asarray(t, dtype=int).reshape(-1, 3) + o
+            for (_, t), o in zip(patches, offset[:-1], strict=True)
+        ]
     )
     face = np.repeat(np.arange(len(patches)), [len(t) for _, t in patches])
     _, first, index = np.unique(
