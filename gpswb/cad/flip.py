@@ -14,22 +14,44 @@ from gpswb.core.mesh import BoolArray, FloatArray, IntArray
 _GAIN = 1e-6
 """Least gain (sum of opposite angles above pi, rad): equal diagonals must not flip for ever."""
 
+_PER_TRIANGLE = ("triangles", "face", "uv", "edge", "side", "ends", "free")
 
-def flip(mesh: Tessellation, rounds: int = 12) -> Tessellation:
+
+def flip(mesh: Tessellation, fresh: BoolArray | None = None, rounds: int = 12) -> Tessellation:
     """Flip sides inside faces until Delaunay (opposite angles in space sum to at most pi).
 
     A flip is made only where the two new triangles keep their orientation in parameter space and in
     space; sides on B-rep edges and triangles at poles stay as they are.
+
+    Args:
+        mesh: the tessellation.
+        fresh: (m,) triangles that have changed since the last flips; None for all.
+        rounds: at most so many rounds; the work shrinks from one to the next.
     """
+    fresh = np.ones(len(mesh.triangles), dtype=bool) if fresh is None else fresh
+    out = {name: getattr(mesh, name).copy() for name in _PER_TRIANGLE}
     for _ in range(rounds):
-        first, second = _pairs(mesh)
-        if not len(first):
-            break
-        chosen = _choose(mesh, first, second)
+        rows = _around(out["triangles"], fresh, len(mesh.vertices))
+        part = replace(mesh, **{name: array[rows] for name, array in out.items()})
+        first, second = _pairs(part)
+        chosen = _choose(part, first, second) if len(first) else np.zeros(0, dtype=bool)
         if not chosen.any():
             break
-        mesh = _apply(mesh, first[chosen], second[chosen])
-    return mesh
+        first, second = first[chosen], second[chosen]
+        part = _apply(part, first, second)
+        for name, array in out.items():
+            array[rows] = getattr(part, name)
+        fresh = np.zeros(len(mesh.triangles), dtype=bool)
+        fresh[rows[first // 3]] = True
+        fresh[rows[second // 3]] = True
+    return replace(mesh, **out)
+
+
+def _around(triangles: IntArray, fresh: BoolArray, n: int) -> IntArray:
+    """Rows of the fresh triangles and of those that may share a side with one."""
+    touched = np.zeros(n, dtype=bool)
+    touched[triangles[fresh]] = True
+    return np.flatnonzero(touched[triangles].sum(axis=1) >= 2)
 
 
 def _pairs(mesh: Tessellation) -> tuple[IntArray, IntArray]:

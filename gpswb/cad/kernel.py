@@ -96,6 +96,7 @@ class Shape(Protocol):
         notes: what the user should know of the reading.
         faces: in TopExp order over the whole shape (FreeCAD's ``Face1`` ...).
         solid_count: number of solids.
+        diagonal: of the bounding box, mm (the box may be a little larger than the shape).
     """
 
     @property
@@ -106,6 +107,8 @@ class Shape(Protocol):
     def faces(self) -> Sequence[BrepFace]: ...
     @property
     def solid_count(self) -> int: ...
+    @property
+    def diagonal(self) -> float: ...
 
     def tessellate(self, linear: float, angular: float) -> list[Patch]:
         """A patch for each face, by BRepMesh with these deflections (mm, rad)."""

@@ -9,8 +9,10 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from OCP.Bnd import Bnd_Box
 from OCP.BRep import BRep_Builder, BRep_Tool
 from OCP.BRepAdaptor import BRepAdaptor_Curve
+from OCP.BRepBndLib import BRepBndLib
 from OCP.BRepGProp import BRepGProp
 from OCP.BRepMesh import BRepMesh_IncrementalMesh
 from OCP.BRepTools import BRepTools
@@ -148,11 +150,26 @@ class OcpFace:
             if (self.outward < 0) != mirrored:
                 triangles = triangles[:, ::-1]
         rims = [
-            Rim(number, side, *polygon, BRep_Tool.Degenerated_s(edge))
+            Rim(number, self._side(number, side, uv, *polygon), *polygon, degenerate)
             for number, side, edge in self.passes
             if (polygon := _polygon(edge, mesh, location)) is not None
+            for degenerate in [BRep_Tool.Degenerated_s(edge)]
         ]
         return Patch(nodes, uv, np.ascontiguousarray(triangles), tuple(rims))
+
+
+    def _side(
+        self, edge: int, side: int, uv: FloatArray, nodes: IntArray, parameters: FloatArray
+    ) -> int:
+        """Which of a seam's two curves the nodes lie on: BRepMesh may swap them."""
+        if (edge, 1) not in self._curves:
+            return side
+        k = len(nodes) // 2
+        gap = [
+            float(np.abs(self.rim_uv(edge, s, parameters[k : k + 1]) - uv[nodes[k]]).max())
+            for s in (0, 1)
+        ]
+        return int(gap[1] < gap[0])
 
 
 def _sizes(kind: ElementaryKind, surface: Any) -> tuple[float, float]:
@@ -199,6 +216,14 @@ class OcpShape:
             for i in range(face_map.Extent())
         ]
         self._edges: dict[int, BRepAdaptor_Curve] = {}
+
+    @cached_property
+    def diagonal(self) -> float:
+        box = Bnd_Box()
+        for face in self.faces:
+            if face.surface is not None:
+                BRepBndLib.Add_s(face.face, box, False)
+        return 0.0 if box.IsVoid() else float(box.SquareExtent()) ** 0.5
 
     def tessellate(self, linear: float, angular: float) -> list[Patch]:
         # BRepMesh crashes on a face without a surface, so those are left out.

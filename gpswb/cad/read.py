@@ -15,7 +15,8 @@ from gpswb.cad.brepmesh import brepmesh
 from gpswb.cad.density import STL_DEFLECTION, Density
 from gpswb.cad.features import maximal_features
 from gpswb.cad.kernel import Shape
-from gpswb.cad.refine import SizeRule, refine
+from gpswb.cad.refine import refine
+from gpswb.cad.sizing import SizeRule
 from gpswb.cad.sniff import sniff
 from gpswb.cad.solid import Face, FaceMap, Solid
 from gpswb.cad.truth import face_truth
@@ -32,6 +33,11 @@ AUTO_DIVISIONS = 8
 """Least number of elements across any curved face for density `auto`."""
 _COARSEST = 20
 """No side is longer than this fraction of the part's diagonal where density follows curvature."""
+_START_DEFLECTION = 0.002
+"""Linear deflection of the mesh that refinement starts from, as a fraction of the diagonal. BRepMesh
+doesn't resolve edges below a tenth of it, so the angle alone can't be relied upon."""
+_ARC_FACTOR = 1.95
+"""BRepMesh cuts a full arc into sides of about half its angular deflection [measured]."""
 _CAP = 300_000
 
 
@@ -112,14 +118,13 @@ def tessellate(
         if density.rule == "deflection":
             linear, angular = density.value, math.radians(density.angle_deg)
         return brepmesh(shape, linear, angular), "brepmesh", ()
-    rough = brepmesh(shape, math.inf, 0.5)
-    diagonal = float(np.linalg.norm(np.ptp(rough.vertices, axis=0))) if len(rough.vertices) else 1.0
+    diagonal = shape.diagonal
     turn = density.value if density.rule == "turn" else AUTO_TURN
     angle = 2 * math.pi / turn
-    start = brepmesh(shape, 0.01 * diagonal, min(angle, 0.5))
+    start = brepmesh(shape, _START_DEFLECTION * diagonal, min(_ARC_FACTOR * angle, 0.5))
     rule = SizeRule(
         max_length=diagonal / _COARSEST,
-        max_turn=angle * 1.01,
+        max_turn=angle * 1.05,
         divisions=AUTO_DIVISIONS if density.rule == "auto" else 0,
         max_triangles=_CAP,
     )

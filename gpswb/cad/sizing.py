@@ -4,96 +4,133 @@
 from __future__ import annotations
 
 import math
+from dataclasses import dataclass
 
 import numpy as np
-from scipy.sparse import coo_matrix
-from scipy.sparse.csgraph import dijkstra
 
 from gpswb.cad.kernel import BrepFace, Shape
-from gpswb.cad.split import Sides, distinct_sides
-from gpswb.cad.surface import arc_lengths, outward_normals
+from gpswb.cad.split import Sides
+from gpswb.cad.surface import arc_lengths, largest_curvature, outward_normals
 from gpswb.cad.weld import Tessellation
 from gpswb.core.mesh import FloatArray, IntArray
 
 _GROWTH = 0.4
-"""Growth of the spacing per mm away from a short side."""
+"""Growth of the spacing per mm away from a fine place."""
 _SLACK = 1.4
 """A side is split above this multiple of the spacing: halves are then no shorter than 0.7 of it."""
-_STRETCH = 3.0
-"""How much longer than the spacing a side on a curved face may be: across the curvature direction
-it needs no more vertices, and more than this would make slivers."""
+_STRETCH = 2.5
+"""How much longer than the spacing a side on a curved face may be: along the direction of least
+curvature it needs no more vertices, and more than this would make slivers."""
+_SMALLEST = 1 / 32
+"""No curvature asks for a spacing below this fraction of the face's width: an apex has no end."""
 
 
-def initial_spacing(mesh: Tessellation, max_length: float, graded: bool) -> FloatArray:
-    """(n,) wanted spacing at each vertex, mm: the shortest B-rep side there, growing with distance.
+@dataclass(frozen=True)
+class SizeRule:
+    """What a side must not exceed.
 
-    Found once, on the first mesh, as the shortest path from a common source: so that splitting
-    can't shrink the spacing that asked for it.
+    Args:
+        max_length: mm.
+        max_turn: angle between the exact normals at its two ends, rad.
+        divisions: least number of sides across a curved face, in both parameters; 0 for none.
+        graded: sides grow only gradually away from fine places (else the mesh is near-uniform).
+        max_triangles: refinement stops here.
     """
-    n = len(mesh.vertices)
-    if not graded or not n:
-        return np.full(n, max_length)
-    tail, head = mesh.triangles.ravel(), np.roll(mesh.triangles, -1, axis=1).ravel()
-    length = mesh.side_lengths().ravel()
-    own = np.full(n, max_length)
-    rim = mesh.edge.ravel() >= 0
-    np.minimum.at(own, tail[rim], length[rim])
-    np.minimum.at(own, head[rim], length[rim])
-    # One occurrence of a side gives its weight (a repeated entry would be summed).
-    first = distinct_sides(mesh).first
-    low, high = np.minimum(tail, head)[first], np.maximum(tail, head)[first]
-    pair, at = np.unique(low * np.int64(n) + high, return_index=True)
-    rows = np.concatenate([pair // n, np.full(n, n)])
-    columns = np.concatenate([pair % n, np.arange(n)])
-    weights = np.concatenate([_GROWTH * length[first][at], own])
-    graph = coo_matrix((np.maximum(weights, 1e-300), (rows, columns)), shape=(n + 1, n + 1))
-    reach: FloatArray = dijkstra(graph.tocsr(), directed=False, indices=n)[:n]
-    return np.minimum(reach, max_length)
+
+    max_length: float
+    max_turn: float = math.inf
+    divisions: int = 0
+    graded: bool = True
+    max_triangles: int = 300_000
 
 
 class Sizing:
-    """Size of every side relative to what is allowed: above 1 it must be split."""
+    """Size of every side relative to what is allowed: above 1 it must be split.
 
-    def __init__(self, shape: Shape, max_length: float, max_turn: float, divisions: int) -> None:
+    Every vertex carries a spacing. It comes from the shortest B-rep side at the vertex in the first
+    mesh, from the curvature and the width of its faces, and grows with the distance from there.
+    Splitting a side never lowers it, so refinement ends.
+    """
+
+    def __init__(self, shape: Shape, rule: SizeRule, first: Tessellation) -> None:
         self._shape = shape
-        self._max_length = max_length
-        self._max_turn = max_turn
-        self._divisions = divisions
-        self._arcs = [
-            arc_lengths(face) if divisions and _curved(face) else None for face in shape.faces
-        ]
+        self._rule = rule
+        self._arcs = [arc_lengths(face) if _curved(face) else None for face in shape.faces]
+        self._spacing = np.full(len(first.vertices), rule.max_length)
+        if rule.graded:
+            rim = first.edge.ravel() >= 0
+            length = first.side_lengths().ravel()[rim]
+            ends = first.triangles.ravel(), np.roll(first.triangles, -1, axis=1).ravel()
+            for end in ends:
+                np.minimum.at(self._spacing, end[rim], length)
+            self._limit_by_surface(first, 0)
 
-    def __call__(
-        self, mesh: Tessellation, sides: Sides, length: FloatArray, spacing: FloatArray
-    ) -> tuple[FloatArray, FloatArray]:
-        """(s,) size of each distinct side; and the part of it that curvature and the face's extent
-        ask for. ``length`` is (m, 3), ``spacing`` (n,), mm."""
-        detail = np.zeros_like(length)
-        stretch = np.ones(len(mesh.triangles))
-        order = np.argsort(mesh.face, kind="stable")
-        faces, start = np.unique(mesh.face[order], return_index=True)
-        for f, rows in zip(faces, np.split(order, start[1:]), strict=True):
+    def __call__(self, mesh: Tessellation, sides: Sides, length: FloatArray) -> FloatArray:
+        """(s,) size of each distinct side of the mesh, whose side lengths are (m, 3) mm."""
+        if self._rule.graded:
+            self._extend(mesh, sides, length)
+        size = length / self._rule.max_length
+        for f, rows in _by_face(mesh.face):
             face = self._shape.faces[f]
+            stretch = 1.0
             if _curved(face):
-                stretch[rows] = _STRETCH
-                detail[rows] = self._detail(face, f, mesh, rows, length[rows])
-        local = _log_mean(spacing[mesh.triangles], spacing[np.roll(mesh.triangles, -1, axis=1)])
-        allowed = np.minimum(_SLACK * local * stretch[:, None], self._max_length)
-        out, part = np.zeros(len(sides.first)), np.zeros(len(sides.first))
-        number = sides.number.ravel()
-        np.maximum.at(part, number, detail.ravel())
-        np.maximum.at(out, number, np.maximum(detail, length / allowed).ravel())
-        return out, part
+                stretch = _STRETCH
+                size[rows] = np.maximum(size[rows], self._detail(face, f, mesh, rows, length[rows]))
+            if self._rule.graded:
+                a = self._spacing[mesh.triangles[rows]]
+                b = np.roll(a, -1, axis=1)
+                steps = _steps(a, b, length[rows]) / (_SLACK * stretch)
+                size[rows] = np.maximum(size[rows], steps)
+        out = np.zeros(len(sides.first))
+        np.maximum.at(out, sides.number.ravel(), size.ravel())
+        return out
+
+    def _extend(self, mesh: Tessellation, sides: Sides, length: FloatArray) -> None:
+        """Give new vertices a spacing and let small ones spread along the sides."""
+        known = len(self._spacing)
+        fresh = np.full(len(mesh.vertices) - known, self._rule.max_length)
+        self._spacing = np.concatenate([self._spacing, fresh])
+        self._limit_by_surface(mesh, known)
+        tail = mesh.triangles.ravel()[sides.first]
+        head = np.roll(mesh.triangles, -1, axis=1).ravel()[sides.first]
+        grow = _GROWTH * length.ravel()[sides.first]
+        for _ in range(6):
+            reach = self._spacing[tail] + grow, self._spacing[head] + grow
+            np.minimum.at(self._spacing, head, reach[0])
+            np.minimum.at(self._spacing, tail, reach[1])
+
+    def _limit_by_surface(self, mesh: Tessellation, known: int) -> None:
+        """Lower the spacing of the vertices from ``known`` on to what their faces ask for."""
+        rule = self._rule
+        for f, rows in _by_face(mesh.face):
+            arcs = self._arcs[f]
+            if arcs is None:
+                continue
+            corner = mesh.triangles[rows]
+            new = corner >= known
+            vertex, at = np.unique(corner[new], return_index=True)
+            if not len(vertex):
+                continue
+            width = min(arcs[0][-1], arcs[1][-1])
+            limit = np.full(len(vertex), rule.max_length)
+            if math.isfinite(rule.max_turn):
+                curvature = largest_curvature(self._shape.faces[f], mesh.uv[rows][new][at])
+                limit = rule.max_turn / np.maximum(curvature, 1e-12)
+                limit = np.maximum(limit, _SMALLEST * width)
+            if rule.divisions and width > 0:
+                limit = np.minimum(limit, width / rule.divisions)
+            self._spacing[vertex] = np.minimum(self._spacing[vertex], limit)
 
     def _detail(
         self, face: BrepFace, f: int, mesh: Tessellation, rows: IntArray, length: FloatArray
     ) -> FloatArray:
+        """Turn and extent of each side relative to the rule's."""
         uv, other = _side_ends(mesh.uv[rows], mesh.free[rows])
         size = np.zeros_like(length)
-        if math.isfinite(self._max_turn):
-            size = _turn(face, uv, other) / self._max_turn
+        if math.isfinite(self._rule.max_turn):
+            size = _turn(face, uv, other) / self._rule.max_turn
         arcs = self._arcs[f]
-        if arcs is None:
+        if not self._rule.divisions or arcs is None:
             return size
         low, high = np.array(face.bounds[0::2]), np.array(face.bounds[1::2])
         for axis, table in enumerate(arcs):
@@ -103,7 +140,7 @@ class Sizing:
             a, b = (np.interp(x[..., axis], grid, table) for x in (uv, other))
             # Lines of a parameter grow shorter towards a pole: the side's own length bounds them.
             extent = np.minimum(np.abs(a - b), length)
-            size = np.maximum(size, extent * self._divisions / table[-1])
+            size = np.maximum(size, extent * self._rule.divisions / table[-1])
         return size
 
 
@@ -111,11 +148,18 @@ def _curved(face: BrepFace) -> bool:
     return face.kind not in (None, "Plane")
 
 
-def _log_mean(a: FloatArray, b: FloatArray) -> FloatArray:
-    """Mean of a spacing that grows linearly from a to b, as the integral of ds/h asks for."""
-    with np.errstate(divide="ignore", invalid="ignore"):
-        mean = (b - a) / np.log(b / a)
-    return np.where(np.abs(b - a) < 1e-6 * a, (a + b) / 2, mean)
+def _by_face(face: IntArray) -> list[tuple[int, IntArray]]:
+    """Each face that occurs, with its triangles."""
+    order = np.argsort(face, kind="stable")
+    faces, start = np.unique(face[order], return_index=True)
+    return list(zip(faces.tolist(), np.split(order, start[1:]), strict=True))
+
+
+def _steps(a: FloatArray, b: FloatArray, length: FloatArray) -> FloatArray:
+    """Number of spacings along a side whose spacing grows from both ends: the integral of ds/h."""
+    peak = (a + b + _GROWTH * length) / 2
+    steps: FloatArray = np.log(peak**2 / (a * b)) / _GROWTH
+    return steps
 
 
 def _side_ends(uv: FloatArray, free: IntArray) -> tuple[FloatArray, FloatArray]:

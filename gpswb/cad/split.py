@@ -54,17 +54,37 @@ def distinct_sides(mesh: Tessellation) -> Sides:
     tail, head = mesh.triangles.ravel(), np.roll(mesh.triangles, -1, axis=1).ravel()
     low, high = np.minimum(tail, head), np.maximum(tail, head)
     edge = mesh.edge.ravel()
+    key = low * np.int64(len(mesh.vertices)) + high
+    order = np.argsort(key, kind="stable")
+    new = np.diff(key[order], prepend=-1) != 0
+    # Only sides of the same vertices that meet three times or more, or on an edge and off it, need
+    # a second look; few do.
+    run = np.cumsum(new) - 1
+    rows = np.flatnonzero(_doubtful(run, edge[order]))
     group = np.where(edge >= 0, edge, -1 - np.repeat(mesh.face, 3))
     start = np.where(edge >= 0, mesh.ends.min(axis=2).ravel(), 0.0)
-    key = low * np.int64(len(mesh.vertices)) + high
-    order = np.lexsort((start, group, key))
-    new = np.ones(len(key), dtype=bool)
-    same = [np.diff(x[order]) == 0 for x in (key, group, start)]
-    new[1:] = ~(same[0] & same[1] & same[2])
+    if len(rows):
+        items = order[rows]
+        again = np.lexsort((start[items], group[items], key[items]))
+        order[rows] = items = items[again]
+        same = [np.diff(x[items]) == 0 for x in (key, group, start)]
+        new[rows] = np.r_[True, ~(same[0] & same[1] & same[2])]
     number = np.empty(len(key), dtype=np.int64)
     number[order] = np.cumsum(new) - 1
     first = order[np.flatnonzero(new)]
     return Sides(number.reshape(-1, 3), first, np.bincount(number))
+
+
+def _doubtful(run: IntArray, edge: IntArray) -> BoolArray:
+    """Occurrences, in order of their key, whose run isn't plainly one side."""
+    if not len(run):
+        return np.zeros(0, dtype=bool)
+    count = np.bincount(run)
+    lowest, highest = np.full(len(count), np.iinfo(np.int64).max), np.full(len(count), -2)
+    np.minimum.at(lowest, run, edge)
+    np.maximum.at(highest, run, edge)
+    doubtful: BoolArray = ((count > 2) | (lowest != highest))[run]
+    return doubtful
 
 
 def split(

@@ -49,3 +49,33 @@ def arc_lengths(face: BrepFace, samples: int = 17) -> tuple[FloatArray, FloatArr
         step = np.linalg.norm(np.diff(point, axis=1), axis=2).mean(axis=0)
         tables.append(np.concatenate([[0.0], np.cumsum(step)]))
     return tables[0], tables[1]
+
+
+def largest_curvature(face: BrepFace, uv: FloatArray) -> FloatArray:
+    """(k,) largest absolute principal curvature (1/mm) at the parameters (k, 2).
+
+    By central differences of the exact normals: good to about 1e-6, enough to size a mesh.
+    """
+    u0, u1, v0, v1 = face.bounds
+    step = 1e-4 * np.array([max(u1 - u0, 1e-12), max(v1 - v0, 1e-12)])
+    _, du, dv = face.derivatives(uv)
+    turns = []
+    for axis in (0, 1):
+        shift = np.zeros(2)
+        shift[axis] = step[axis]
+        change = outward_normals(face, uv + shift) - outward_normals(face, uv - shift)
+        turns.append(change / (2 * step[axis]))
+    # Shape operator: (first fundamental form)^-1 (second), whose eigenvalues are the curvatures.
+    first = [np.einsum("ij,ij->i", a, b) for a, b in ((du, du), (du, dv), (dv, dv))]
+    second = [
+        np.einsum("ij,ij->i", a, b)
+        for a, b in ((turns[0], du), (turns[0], dv), (turns[1], du), (turns[1], dv))
+    ]
+    e, f, g = first
+    determinant = e * g - f * f
+    flat = determinant <= 1e-18 * (e + g) ** 2
+    safe = np.where(flat, 1.0, determinant)
+    mean = (g * second[0] - f * second[1] - f * second[2] + e * second[3]) / (2 * safe)
+    gauss = (second[0] * second[3] - second[1] * second[2]) / safe
+    largest = np.abs(mean) + np.sqrt(np.maximum(mean**2 - gauss, 0.0))
+    return np.where(flat, np.inf, largest)
