@@ -52,7 +52,8 @@ def run_jobs(
     # Before the server starts: its children must not each start a thread a core.
     os.environ.update(OMP_NUM_THREADS="1", OPENBLAS_NUM_THREADS="1", MKL_NUM_THREADS="1")
     context = multiprocessing.get_context("forkserver")
-    context.set_forkserver_preload(["gpswb.cli.one_part", "gpswb.cli.partition"])
+    kernel = {"ocp": "gpswb.cad.ocp_read", "freecad": "gpswb.cad.freecad_read"}[settings.kernel]
+    context.set_forkserver_preload(["gpswb.cli.one_part", "gpswb.io.result_json", kernel])
     waiting = list(jobs)[::-1]
     running: dict[Job, tuple[BaseProcess, float]] = {}
     try:
@@ -112,6 +113,8 @@ def _child(job: Job, settings: Settings, memory: int) -> None:
     resource.setrlimit(resource.RLIMIT_DATA, (memory, memory))
     resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
     said = _attempt(lambda: _examine(job, settings))
+    # The row names the file already.
+    said["message"] = said["message"].removeprefix(f"{job.path}: ").replace(str(job.path), job.name)
     draft = job.directory / (ROW + ".draft")
     draft.write_text(json.dumps(said), encoding="utf-8")
     draft.rename(job.directory / ROW)

@@ -21,7 +21,7 @@ from gpswb.io.mesh_file import SUFFIXES, read_mesh
 from gpswb.validation.validate import Validation, validate
 
 Progress = Callable[[str, float], None]
-"""Called with the stage's name and the share (0..1) of the whole work that is done."""
+"""Called with the stage's name and the share (0..1) of it that is done."""
 
 NOISE_SEED = 18183
 """Seed of the noise that is added for tests, so that a run can be repeated."""
@@ -42,9 +42,7 @@ def examine(path: Path, settings: Settings, progress: Progress | None = None) ->
     Raises:
         GpswbError: the file can't be read, or holds nothing to partition.
     """
-    if progress:
-        progress("read", 0.0)
-    solid = read_any(path, settings)
+    solid = read_any(path, settings, progress)
     if settings.noise_added > 0:
         solid = add_noise(solid, settings.noise_added)
     result = partition(
@@ -58,14 +56,14 @@ def examine(path: Path, settings: Settings, progress: Progress | None = None) ->
     return Outcome(solid, result, judged)
 
 
-def read_any(path: Path, settings: Settings) -> Solid:
+def read_any(path: Path, settings: Settings, progress: Progress | None = None) -> Solid:
     """Read a CAD file by its kernel, or a mesh file as it stands.
 
     Raises:
         GpswbError: the file can't be read, or holds no triangles.
     """
     if path.suffix.lower() not in SUFFIXES:
-        return read_solid(path, settings.density, settings.kernel)
+        return read_solid(path, settings.density, settings.kernel, progress)
     start = time.perf_counter()
     mesh = read_mesh(path)
     return Solid(

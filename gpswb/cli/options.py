@@ -6,9 +6,12 @@ from __future__ import annotations
 import argparse
 import math
 from dataclasses import dataclass
-from typing import Literal, get_args
+from typing import TYPE_CHECKING, Literal, get_args
 
 from gpswb.cad.density import FORMS, Density
+
+if TYPE_CHECKING:
+    from gpswb.core.pipeline import Method, Mode
 
 MODES = ("robust", "corrected", "paper")
 METHODS = ("hybrid", "curvature", "slippage")
@@ -24,8 +27,8 @@ class Settings:
     """
 
     density: Density
-    mode: str
-    method: str
+    mode: Mode
+    method: Method
     kernel: Kernel
     noise: float | None = None
     noise_added: float = 0.0

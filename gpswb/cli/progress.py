@@ -21,7 +21,7 @@ def _tqdm() -> Any:
 
 @contextmanager
 def stage_bar() -> Iterator[Callable[[str, float], None] | None]:
-    """Yield a callback (stage, share done 0..1) that moves a bar, or None without a terminal."""
+    """Yield a callback (stage, share of it done) that moves a bar, or None without a terminal."""
     tqdm = _tqdm()
     if tqdm is None:
         yield None

@@ -34,7 +34,7 @@ const intrinsic = (region) => Object.entries(region.intrinsic)
 const situation = (region) => Object.entries(region.situation).map(([name, value]) => `${name} ${list(value)}`).join(" ");
 
 function swatched(name, colour) {
-  const cell = make("span");
+  const cell = make("span", null, { class: "named" });
   cell.append(make("span", null, { class: "swatch", style: `background:${rgb(colour)}` }), name);
   return cell;
 }
@@ -142,6 +142,7 @@ function legends() {
   ];
   if (result.faces.length) columns.splice(2, 0, ["faces", (row) => row.faces, true]);
   table(by("classes"), columns, rows);
+  by("sharp-edges").replaceChildren(swatched("sharp edges, drawn as lines", report.sharp_edge));
   by("shape-types").replaceChildren(...report.shape_types.map((type) => {
     const item = make("li");
     item.append(swatched(`${type.name} ${percent(type.share)}`, type.colour));
@@ -242,8 +243,10 @@ function validation() {
     ["kind", text("kind"), false, text("kind")],
     ["region", text("region"), true, (f) => f.region ?? -1],
   ], wrong, (f) => { if (f.region !== null) choose(f.region); }, (f) => f.region);
-  const note = wrong.length ? "" : "Every face has the class of its CAD surface. ";
-  by("disagree").parentNode.before(make("p", note + (apart ? `${apart} faces have the right class, but no region matches their feature at IoU 0.9.` : ""), { class: "dim" }));
+  by("wrong-note").textContent = [
+    wrong.length ? "" : "Every face has the class of its CAD surface.",
+    apart ? `${apart} faces have the right class, but no region matches their feature at IoU 0.9.` : "",
+  ].join(" ");
 }
 
 function about() {
@@ -330,8 +333,6 @@ function start() {
     palette = e.target.value;
     legends();
     regions();
-    by("validation").querySelectorAll("p.dim + p.dim").forEach((node) => node.remove());
-    document.querySelectorAll("#disagree").forEach((node) => node.parentNode.previousElementSibling?.matches("p") && node.parentNode.previousElementSibling.remove());
     validation();
     if (chosen !== null || largest) ranking(regionOf.get(chosen ?? largest.id), chosen === null ? " (the largest)" : "");
     paintViews();

@@ -133,7 +133,9 @@ class Views {
   look(from) {
     const views = { iso: [-0.62, -1.05], front: [0, -Math.PI / 2], top: [0, 0], right: [-Math.PI / 2, -Math.PI / 2] };
     [this.yaw, this.pitch] = views[from];
-    this.zoom = 1.85;
+    const m = this.turn(), p = this.panels[0].getBoundingClientRect(), side = Math.min(p.width, p.height) || 1;
+    const extent = (i) => [0, 1, 2].reduce((sum, j) => sum + Math.abs(m[3 * j + i]) * this.size[j], 1e-9);
+    this.zoom = 1.75 * Math.min(p.width / extent(0), p.height / extent(1)) / side;
     this.pan = [0, 0];
     this.ask();
   }
