@@ -12,6 +12,7 @@ from types import FrameType
 
 import gpswb
 from gpswb.cli import partition, sweep, validate
+from gpswb.cli.guard import ChildError
 from gpswb.cli.messages import internal_error, one_line
 from gpswb.errors import GpswbError
 
@@ -40,6 +41,8 @@ def main(argv: Sequence[str] | None = None) -> int:
         return 1
     except MemoryError:
         return _fail("out of memory; try a coarser --density")
+    except ChildError as error:
+        return _fail(str(error))
     except Exception as error:  # noqa: BLE001 - the promise is one line, whatever went wrong
         return _fail(internal_error(error))
 

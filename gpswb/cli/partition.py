@@ -7,12 +7,14 @@ import argparse
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from gpswb.cli.guard import guarded
 from gpswb.cli.options import (
     Settings,
     add_density_option,
     add_pipeline_options,
     non_negative,
 )
+from gpswb.io.whole import whole_directory
 
 if TYPE_CHECKING:
     from gpswb.cli.one_part import Outcome
@@ -44,20 +46,25 @@ def register(verbs: argparse._SubParsersAction[argparse.ArgumentParser]) -> None
 
 def run(args: argparse.Namespace) -> int:
     """Do it; the exit code."""
-    from gpswb.cli.one_part import examine
-    from gpswb.cli.progress import stage_bar
-    from gpswb.cli.table import result_lines
-    from gpswb.io.whole import whole_directory
-
-    settings = Settings(args.density, args.mode, args.method, args.kernel, noise=args.noise)
     with whole_directory(args.out, OWNED) as draft:
-        with stage_bar() as progress:
-            outcome = examine(args.input, settings, progress)
-        names = write_all(draft, outcome, report=not args.no_report)
-    for line in result_lines(outcome):
+        lines, names = guarded(lambda: _work(args, draft), str(args.input))
+    for line in lines:
         print(line)
     print("wrote " + " ".join(str(args.out / name) for name in names))
     return 0
+
+
+def _work(args: argparse.Namespace, draft: Path) -> tuple[list[str], list[str]]:
+    """What is printed and the names of the files written in ``draft``."""
+    from gpswb.cli.one_part import examine
+    from gpswb.cli.progress import stage_bar
+    from gpswb.cli.table import result_lines
+
+    settings = Settings(args.density, args.mode, args.method, args.kernel, noise=args.noise)
+    with stage_bar() as progress:
+        outcome = examine(args.input, settings, progress)
+    names = write_all(draft, outcome, report=not args.no_report)
+    return result_lines(outcome), names
 
 
 def write_all(directory: Path, outcome: Outcome, report: bool) -> list[str]:

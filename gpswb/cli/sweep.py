@@ -9,8 +9,10 @@ import dataclasses
 import time
 from collections.abc import Sequence
 from pathlib import Path
+from typing import Any
 
 from gpswb.cad.density import FORMS, Density
+from gpswb.cli.guard import guarded
 from gpswb.cli.options import Settings, add_pipeline_options, density, non_negative
 from gpswb.errors import InputError
 
@@ -76,11 +78,11 @@ def run(args: argparse.Namespace) -> int:
     from gpswb.io.whole import whole_directory
 
     if args.out is None:
-        points = _measure_all(args)
+        rows = guarded(lambda: _measure_all(args, None), str(args.input))
     else:
         with whole_directory(args.out, OWNED) as draft:
-            points = _measure_all(args)
-            _write(draft, points, args.input.name)
+            rows = guarded(lambda: _measure_all(args, draft), str(args.input))
+    points = [Point(**row) for row in rows]
     for line in aligned(_cells(points), right=range(1, 9)):
         print(line)
     if args.out is not None:
@@ -88,10 +90,9 @@ def run(args: argparse.Namespace) -> int:
     return 0
 
 
-def _write(draft: Path, points: Sequence[Point], name: str) -> None:
+def _write(draft: Path, rows: Sequence[dict[str, Any]], name: str) -> None:
     from gpswb.report.sweep_plot import write_sweep_plot
 
-    rows = [dataclasses.asdict(point) for point in points]
     with (draft / "sweep.csv").open("w", newline="", encoding="utf-8") as file:
         table = csv.DictWriter(file, list(rows[0]), lineterminator="\n")
         table.writeheader()
@@ -99,16 +100,18 @@ def _write(draft: Path, points: Sequence[Point], name: str) -> None:
     write_sweep_plot(draft / "sweep.svg", rows, name)
 
 
-def _measure_all(args: argparse.Namespace) -> list[Point]:
+def _measure_all(args: argparse.Namespace, draft: Path | None) -> list[dict[str, Any]]:
     from gpswb.cli.progress import count_bar
 
-    points = []
+    rows = []
     with count_bar(len(args.densities) * len(args.noise_added), "run") as step:
         for noise in args.noise_added:
             for asked in args.densities:
-                points.append(_measure(args, asked, noise))
+                rows.append(dataclasses.asdict(_measure(args, asked, noise)))
                 step(f"{asked} {noise:g}")
-    return points
+    if draft is not None:
+        _write(draft, rows, args.input.name)
+    return rows
 
 
 def _measure(args: argparse.Namespace, asked: Density, noise: float) -> Point:
