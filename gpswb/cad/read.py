@@ -33,7 +33,7 @@ AUTO_DIVISIONS = 8
 """Least number of elements across any curved face for density `auto`."""
 _COARSEST = 20
 """No side is longer than this fraction of the part's diagonal where density follows curvature."""
-_START_DEFLECTION = 0.002
+_START_DEFLECTION = 0.004
 """Linear deflection of the mesh that refinement starts from, as a fraction of the diagonal. BRepMesh
 doesn't resolve edges below a tenth of it, so the angle alone can't be relied upon."""
 _ARC_FACTOR = 1.95
