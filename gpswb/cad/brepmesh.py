@@ -12,4 +12,4 @@ def brepmesh(shape: Shape, linear: float, angular: float) -> Tessellation:
 
     Faces for which BRepMesh finds no triangulation have no triangle in the result.
     """
-    return weld(shape.tessellate(linear, angular))
+    return weld(shape.tessellate(linear, angular), shape.faces)

@@ -14,7 +14,7 @@ from gpswb.core.mesh import BoolArray, FloatArray, IntArray
 _GAIN = 1e-6
 """Least gain (sum of opposite angles above pi, rad): equal diagonals must not flip for ever."""
 
-_PER_TRIANGLE = ("triangles", "face", "uv", "edge", "side", "ends", "free")
+_PER_TRIANGLE = ("triangles", "face", "uv", "normal", "edge", "side", "ends", "free")
 
 
 def flip(mesh: Tessellation, fresh: BoolArray | None = None, rounds: int = 12) -> Tessellation:
@@ -111,7 +111,7 @@ def _apply(mesh: Tessellation, first: IntArray, second: IntArray) -> Tessellatio
     t2, c2 = _corners(mesh, second)
     i1, i2 = c1 % 3, c2 % 3
     out: dict[str, np.ndarray] = {}
-    for name in ("triangles", "uv", "free"):
+    for name in ("triangles", "uv", "normal", "free"):
         array = getattr(mesh, name).copy()
         a, b, c = (array[t1, i1[:, k]] for k in range(3))
         d = array[t2, i2[:, 2]]

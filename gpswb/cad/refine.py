@@ -54,20 +54,29 @@ def refine(
 
 
 def _apart(sides: Sides, marked: BoolArray, size: FloatArray) -> BoolArray:
-    """Of two marked sides of a triangle whose third isn't marked keep the larger one for now.
+    """Leave out marked sides whose new vertices would come too close to others.
 
-    Their middles are half the third side apart: both would be closer than the rule asks for, and a
-    strip of slivers would double its width in vertices with every pass.
+    The middles of two sides of a triangle are half the third side apart: where that one isn't
+    marked, both would be closer than the rule asks for, and a strip of slivers would double its
+    width in vertices with every pass. The largest sides win; the others wait for the next pass.
     """
-    marked = marked.copy()
-    while True:
-        mine = marked[sides.number]
-        two = mine.sum(axis=1) == 2
-        if not two.any():
-            return marked
-        number = sides.number[two]
-        smaller = np.where(mine[two], size[number], np.inf).argmin(axis=1)
-        marked[number[np.arange(len(number)), smaller]] = False
+    mine = marked[sides.number]
+    two = mine.sum(axis=1) == 2
+    pairs = sides.number[two][mine[two]].reshape(-1, 2)
+    rank = np.empty(len(size), dtype=np.int64)
+    rank[np.argsort(size, kind="stable")] = np.arange(len(size))
+    open_, chosen = marked.copy(), np.zeros_like(marked)
+    while open_.any():
+        a, b = pairs[open_[pairs].all(axis=1)].T
+        rival = np.full(len(size), -1, dtype=np.int64)
+        np.maximum.at(rival, a, rank[b])
+        np.maximum.at(rival, b, rank[a])
+        winners = open_ & (rank > rival)
+        chosen |= winners
+        open_ &= ~winners
+        beaten = winners[pairs]
+        open_[pairs[beaten[:, ::-1]]] = False
+    return chosen
 
 
 def _worst(sides: Sides, marked: BoolArray, size: FloatArray, room: int) -> BoolArray:

@@ -128,7 +128,7 @@ class Sizing:
         uv, other = _side_ends(mesh.uv[rows], mesh.free[rows])
         size = np.zeros_like(length)
         if math.isfinite(self._rule.max_turn):
-            size = _turn(face, uv, other) / self._rule.max_turn
+            size = _turn(face, mesh, rows, uv, other) / self._rule.max_turn
         arcs = self._arcs[f]
         if not self._rule.divisions or arcs is None:
             return size
@@ -173,12 +173,17 @@ def _side_ends(uv: FloatArray, free: IntArray) -> tuple[FloatArray, FloatArray]:
     return tail, head
 
 
-def _turn(face: BrepFace, uv: FloatArray, other: FloatArray) -> FloatArray:
-    """Angle between the exact normals at both ends of each side, rad."""
-    both = np.concatenate([uv.reshape(-1, 2), other.reshape(-1, 2)])
-    distinct, inverse = np.unique(both, axis=0, return_inverse=True)
-    normal = outward_normals(face, distinct)[inverse.ravel()]
-    n, k = normal[: len(both) // 2], normal[len(both) // 2 :]
-    cross = np.linalg.norm(np.cross(n, k), axis=1)
-    turn: FloatArray = np.arctan2(cross, np.einsum("ij,ij->i", n, k))
-    return turn.reshape(uv.shape[:2])
+def _turn(
+    face: BrepFace, mesh: Tessellation, rows: IntArray, uv: FloatArray, other: FloatArray
+) -> FloatArray:
+    """(r, 3) angle between the exact normals at both ends of each side, rad."""
+    tail = mesh.normal[rows]
+    head = np.roll(tail, -1, axis=1)
+    # At a pole or an apex the normal depends on where one comes from.
+    pole = (mesh.free[rows] > 0).any(axis=1)
+    if pole.any():
+        tail[pole] = outward_normals(face, uv[pole].reshape(-1, 2)).reshape(-1, 3, 3)
+        head[pole] = outward_normals(face, other[pole].reshape(-1, 2)).reshape(-1, 3, 3)
+    cross = np.linalg.norm(np.cross(tail, head), axis=2)
+    turn: FloatArray = np.arctan2(cross, np.einsum("ijk,ijk->ij", tail, head))
+    return turn

@@ -16,7 +16,8 @@ _STEP = 0.7
 
 
 def smooth(mesh: Tessellation, shape: Shape) -> Tessellation:
-    """Laplacian smoothing in parameter space, points evaluated exactly on the surface again.
+    """Laplacian smoothing in parameter space, points evaluated exactly on the surface again (their
+    normals aren't: nothing reads them any more).
 
     Vertices on B-rep edges stay. A move that makes the worst triangle around the vertex worse, in
     space or by turning one over in parameter space, isn't made.

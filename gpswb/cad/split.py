@@ -12,6 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from gpswb.cad.kernel import Shape
+from gpswb.cad.surface import outward_normals
 from gpswb.cad.weld import Tessellation
 from gpswb.core.mesh import BoolArray, FloatArray, IntArray
 
@@ -101,9 +102,11 @@ def split(
     number = sides.number[at]
     middle_uv = _middle_uv(mesh, shape, at, marked[number])
     new_vertex = np.cumsum(marked) - 1 + len(mesh.vertices)
+    middle_normal = _middle_normal(mesh, shape, middle_uv, triangles, marked[number])
     points = _middle_points(mesh, shape, sides, marked, number, middle_uv, triangles)
     corner = np.concatenate([mesh.triangles[at], new_vertex[number]], axis=1)
     uv = np.concatenate([mesh.uv[at], middle_uv], axis=1)
+    normal = np.concatenate([mesh.normal[at], middle_normal], axis=1)
     free = np.concatenate([mesh.free[at], np.zeros_like(number)], axis=1)
     edge, side, ends = mesh.edge[at], mesh.side[at], mesh.ends[at]
     parts: dict[str, list[np.ndarray]] = {}
@@ -116,6 +119,7 @@ def split(
             parts.setdefault("triangles", []).append(corner[rows][:, pick])
             parts.setdefault("face", []).append(mesh.face[triangles[rows]])
             parts.setdefault("uv", []).append(uv[rows][:, pick])
+            parts.setdefault("normal", []).append(normal[rows][:, pick])
             parts.setdefault("free", []).append(free[rows][:, pick])
             e, s, t = _child_sides(child, edge[rows], side[rows], ends[rows])
             parts.setdefault("edge", []).append(e)
@@ -168,6 +172,19 @@ def _middle_uv(
         for (f, e, s), group in _groups(key):
             flat[rows[group]] = shape.faces[f].rim_uv(e, s, t[group])
     return middle
+
+
+def _middle_normal(
+    mesh: Tessellation, shape: Shape, uv: FloatArray, triangles: IntArray, marked: BoolArray
+) -> FloatArray:
+    """(h, 3, 3) exact outward normals at the marked sides' middles ``uv`` (h, 3, 2)."""
+    normal = np.zeros((*uv.shape[:2], 3))
+    row, k = np.nonzero(marked)
+    for (f,), group in _groups(mesh.face[triangles[row]][:, None]):
+        if shape.faces[f].kind is not None:
+            at = row[group], k[group]
+            normal[at] = outward_normals(shape.faces[f], uv[at])
+    return normal
 
 
 def _middle_points(

@@ -10,7 +10,8 @@ import numpy as np
 from scipy.sparse import coo_matrix
 from scipy.sparse.csgraph import connected_components
 
-from gpswb.cad.kernel import Patch
+from gpswb.cad.kernel import BrepFace, Patch
+from gpswb.cad.surface import outward_normals
 from gpswb.core.mesh import FloatArray, IntArray
 
 
@@ -25,6 +26,8 @@ class Tessellation:
         triangles: (m, 3), no vertex twice in a triangle.
         face: (m,) face of each triangle.
         uv: (m, 3, 2) parameters of each corner on the triangle's face.
+        normal: (m, 3, 3) exact outward normal of the triangle's face at each corner; 0 for a face
+            without a surface.
         edge: (m, 3) B-rep edge that each side lies on, -1 inside a face.
         side: (m, 3) which pass of the edge (0, or 1 on the far side of a seam).
         ends: (m, 3, 2) edge parameters at both ends of each side; 0 inside a face.
@@ -35,6 +38,7 @@ class Tessellation:
     triangles: IntArray
     face: IntArray
     uv: FloatArray
+    normal: FloatArray
     edge: IntArray
     side: IntArray
     ends: FloatArray
@@ -47,8 +51,8 @@ class Tessellation:
         return length
 
 
-def weld(patches: Sequence[Patch]) -> Tessellation:
-    """Make one mesh of all patches.
+def weld(patches: Sequence[Patch], faces: Sequence[BrepFace]) -> Tessellation:
+    """Make one mesh of all patches, one for each of the faces.
 
     Two nodes become one vertex when they are the same point of the same B-rep edge (a seam, a pole
     and the neighbour's side alike). Distance plays no part: two bodies that touch stay apart.
@@ -59,6 +63,12 @@ def weld(patches: Sequence[Patch]) -> Tessellation:
     _, first, vertex = np.unique(label, return_index=True, return_inverse=True)
     points = np.concatenate([p.nodes for p in patches]).reshape(-1, 3)
     uv = np.concatenate([p.uv for p in patches]).reshape(-1, 2)
+    normal = np.concatenate(
+        [
+            outward_normals(f, p.uv) if f.kind is not None else np.zeros_like(p.nodes)
+            for p, f in zip(patches, faces, strict=True)
+        ]
+    ).reshape(-1, 3)
     corner = np.concatenate([p.triangles + o for p, o in zip(patches, offset, strict=False)])
     face = np.repeat(np.arange(len(patches)), [len(p.triangles) for p in patches])
     edge, side, ends = _sides(patches, offset, corner)
@@ -70,6 +80,7 @@ def weld(patches: Sequence[Patch]) -> Tessellation:
         triangles[keep],
         face[keep],
         uv[corner][keep],
+        normal[corner][keep],
         edge[keep],
         side[keep],
         ends[keep],
