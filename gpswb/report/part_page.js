@@ -28,7 +28,10 @@ const rgb = (colour) => `rgb(${colour.join(",")})`;
 const classColour = (name) => report.palettes[palette][name] ?? report.none;
 const number = (x, digits = 4) => (x === null || x === undefined ? "–" : Number(x.toPrecision(digits)).toString());
 const percent = (x) => (x === null || x === undefined ? "–" : x >= 1 ? "100 %" : `${(Math.floor(x * 1e4) / 100).toFixed(2)} %`);
-const list = (xs) => `(${xs.map((x) => number(x, 5)).join(", ")})`;
+function list(xs) { // rounding errors beside large components are shown as 0
+  const most = Math.max(...xs.map(Math.abs));
+  return `(${xs.map((x) => (Math.abs(x) < 1e-9 * most ? "0" : number(x, 5))).join(", ")})`;
+}
 const intrinsic = (region) => Object.entries(region.intrinsic)
   .map(([name, value]) => `${name.replace(/_deg$/, "").replaceAll("_", " ")} ${number(value, 6)}${name.endsWith("_deg") ? "°" : ""}`).join(", ");
 const situation = (region) => Object.entries(region.situation).map(([name, value]) => `${name} ${list(value)}`).join(" ");
@@ -245,7 +248,7 @@ function validation() {
   ], wrong, (f) => { if (f.region !== null) choose(f.region); }, (f) => f.region);
   by("wrong-note").textContent = [
     wrong.length ? "" : "Every face has the class of its CAD surface.",
-    apart ? `${apart} faces have the right class, but no region matches their feature at IoU 0.9.` : "",
+    apart ? `Right class, but no region matches the feature at IoU 0.9: ${apart}.` : "",
   ].join(" ");
 }
 

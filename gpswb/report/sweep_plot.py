@@ -43,18 +43,17 @@ def write_sweep_plot(path: Path, rows: Sequence[Mapping[str, Any]], name: str) -
         )
         x = [row["triangles"] for row in points]
         for key, label, colour, marker in CURVES:
-            panel.plot(x, [row[key] for row in points], marker, ls="-", color=colour, label=label)
+            y = [row[key] for row in points]
+            panel.plot(x, y, marker, ls="-", color=colour, label=label, alpha=0.8)
         panel.set_xscale("log")
+        panel.minorticks_off()
+        panel.set_xticks(x, [f"{row['density']}\n{row['triangles']:,}" for row in points])
+        panel.tick_params("x", labelsize=7, labelrotation=30)
         panel.set_ylim(-0.02, 1.02)
-        panel.set_xlabel("triangles")
+        panel.set_xlabel("density, triangles")
         panel.grid(visible=True, alpha=0.3)
         noise_text = f"noise {100 * noise:g} % of the diagonal" if noise else "no noise"
         panel.set_title(noise_text, fontsize=10)
-        for row in points:
-            panel.annotate(
-                row["density"], (row["triangles"], 0.0), rotation=90, fontsize=7,
-                ha="center", va="bottom", color="#555555",
-            )  # fmt: skip
     panels[0].set_ylabel("share")
     panels[0].legend(loc="center left", fontsize=8)
     # A dollar would start mathematics; the name is a file's.
