@@ -63,6 +63,8 @@ def refine_reference(
             break
         best, least = trial, cost
         assert change is not None
+        if not np.isfinite(change).all():
+            break  # a helix whose lead shrinks to nothing has no profile left
         size = np.maximum(np.linalg.norm(change, axis=0), 1e-300)
         step = np.linalg.lstsq(change / size, -offset, rcond=1e-3)[0] / size
         trial = _moved(trial, invariance_class, step)

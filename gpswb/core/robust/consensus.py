@@ -1,0 +1,219 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Cylinders, cones, spheres and tori on which connected facets agree to within a tolerance.
+
+Nominal vertices lie on their surface to rounding. A surface fitted to a small patch that lies in
+one face is therefore exact, and grows to the whole face; a patch across a border fits nothing. So
+many patches are fitted at once, the hypotheses that explain their patch are grown in order of
+evidence, and what isn't explained is tried again with other patches.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from gpswb.core.mesh import BoolArray, FloatArray, IntArray, Mesh
+from gpswb.core.robust.evidence import drifts, enough_evidence
+from gpswb.core.robust.fitting import fit_patches
+from gpswb.core.robust.growth import Grown, fit_facets, flood, grow, to_world
+from gpswb.core.robust.patches import Patches, patches_around
+from gpswb.core.robust.surfaces import UNKNOWNS, Kind, distance
+from gpswb.core.robust.topology import FacetGraph
+
+CREASE = np.deg2rad(40.0)
+"""Patches don't cross edges that turn by more: coarse tessellations turn by 28.6° (0.5 rad)."""
+
+KINDS: tuple[Kind, ...] = ("cylinder", "cone", "sphere", "torus")
+"""Ruled kinds first: two rings of vertices lie on a cylinder or cone, but also on spheres."""
+
+BATCH = 256
+"""Patches fitted together: enough to spread numpy's overhead, few enough for the cache."""
+
+
+PASSES: tuple[tuple[int, int | None], ...] = ((3, None), (1, None), (0, 64))
+"""Spacing of the seeds in each pass, in facets, and the largest group of unexplained facets that
+the pass looks at: only small groups deserve a try from every facet."""
+
+FREEFORM = 0.03
+"""A patch whose best torus leaves less than this share of the patch's own height, but more than
+the tolerance, is smooth and no simple surface: further patches there would fail too."""
+
+
+@dataclass(frozen=True)
+class Hypothesis:
+    """A surface that explains a patch: ``score`` counts its vertices beyond the unknowns."""
+
+    kind: Kind
+    surface: FloatArray
+    seed: int
+    score: int
+
+
+def find_surfaces(
+    mesh: Mesh,
+    graph: FacetGraph,
+    free: BoolArray,
+    tolerance: float,
+    rings: tuple[int, ...] = (2, 4),
+) -> list[Grown]:
+    """Surfaces that connected facets lie on, largest evidence first.
+
+    Args:
+        mesh: the mesh.
+        graph: its adjacency.
+        free: (m,) facets that may be explained.
+        tolerance: distance that counts as none, mm.
+        rings: sizes of the patches tried, in steps from facet to facet.
+    """
+    free = free.copy()
+    found: list[Grown] = []
+    freeform = np.zeros(len(free), dtype=bool)
+    for spacing, largest in PASSES:
+        passable = _passable(graph, free)
+        wanted = free & ~freeform & passable.any(axis=1)
+        if largest is not None:
+            wanted &= _component_size(graph, free) <= largest
+        seeds = _seeds(mesh, graph, wanted, spacing)
+        for start in range(0, len(seeds), BATCH):
+            batch = seeds[start : start + BATCH]
+            batch = batch[free[batch] & ~freeform[batch]]
+            if not len(batch):
+                continue
+            passable = _passable(graph, free)
+            for size in rings:
+                batch = batch[free[batch] & ~freeform[batch]]
+                if not len(batch):
+                    break
+                hypotheses, smooth = explain(
+                    mesh, patches_around(mesh, graph, batch, passable, size), tolerance
+                )
+                freeform[smooth] = True
+                hypotheses.sort(key=lambda h: -h.score)
+                for h in hypotheses:
+                    if not free[h.seed] or freeform[h.seed]:
+                        continue
+                    seed = np.array([h.seed])
+                    touched = flood(mesh, graph, h.kind, h.surface, seed, free, tolerance)
+                    rough = Grown(h.kind, h.surface, touched)
+                    if len(touched) < 4:
+                        continue
+                    if drifts(mesh, graph, rough, tolerance):
+                        freeform[touched] = True
+                        continue
+                    grown = simplest(mesh, graph, h, free, tolerance)
+                    if enough_evidence(mesh, graph, grown, tolerance):
+                        found.append(grown)
+                        free[grown.facets] = False
+    return found
+
+
+def simplest(
+    mesh: Mesh, graph: FacetGraph, h: Hypothesis, free: BoolArray, tolerance: float
+) -> Grown:
+    """Grow a hypothesis; where a simpler kind explains all that it found, grow that instead.
+
+    Two coaxial rings of vertices lie on a sphere, but also on a cylinder or cone.
+    """
+    grown = grow(mesh, graph, h.kind, h.surface, np.array([h.seed]), free, tolerance)
+    if not len(grown.facets):
+        return grown
+    for kind in KINDS[: KINDS.index(h.kind)]:
+        surface = fit_facets(mesh, kind, grown.facets)
+        points = mesh.vertices[np.unique(mesh.triangles[grown.facets])]
+        d, _ = distance(kind, surface[None], points[None])
+        if np.abs(d).max() <= tolerance:
+            other = grow(mesh, graph, kind, surface, grown.facets, free, tolerance)
+            if len(other.facets) >= len(grown.facets):
+                return other
+    return grown
+
+
+def explain(
+    mesh: Mesh, patches: Patches, tolerance: float
+) -> tuple[list[Hypothesis], IntArray]:
+    """The simplest surface that explains each patch, where one does, and the freeform facets.
+
+    Plain least squares first; where a patch crosses a border, a robust fit may still find the
+    surface that most of it lies on. A patch that a torus fits well but not exactly is freeform.
+    """
+    hypotheses: list[Hypothesis] = []
+    freeform = np.zeros(0, dtype=np.int64)
+    for robust in (False, True):
+        for kind in KINDS:
+            if not len(patches.seed):
+                return hypotheses, freeform
+            floor = float(np.median(tolerance / patches.scale)) if robust else None
+            local = fit_patches(
+                kind, patches.points, patches.weights, patches.centroids, patches.normals, floor
+            )
+            world = to_world(local, patches.centre, patches.scale, kind)
+            d, _ = distance(kind, local, patches.points)
+            d = np.where(patches.weights > 0, np.abs(d), 0.0)
+            inside = (d <= (tolerance / patches.scale)[:, None]) & (patches.weights > 0)
+            score = inside.sum(axis=1) - UNKNOWNS[kind]
+            on_seed, _ = distance(kind, world, mesh.corners[patches.seed])
+            # A robust fit chooses its own points: it needs more of them to prove something.
+            good = (score >= (3 if robust else 1)) & _is_finite(kind, local)
+            good &= (np.abs(on_seed) <= tolerance).all(axis=1)
+            for row in np.flatnonzero(good):
+                hypotheses.append(
+                    Hypothesis(kind, world[row], int(patches.seed[row]), int(score[row]))
+                )
+            if kind == "torus" and not robust:
+                smooth = ~good & (d.max(axis=1) < FREEFORM * _sagitta(patches))
+                facets = patches.facets[smooth].ravel()
+                freeform = facets[facets >= 0]
+                good |= smooth
+            patches = patches.take(np.flatnonzero(~good))
+    return hypotheses, freeform
+
+
+def _sagitta(patches: Patches) -> FloatArray:
+    """(b,) how far each patch's vertices leave its mean plane, in local units."""
+    moment = np.einsum("bni,bnj->bij", patches.points, patches.points)
+    normal = np.linalg.eigh(moment)[1][:, :, 0]
+    height = np.einsum("bnk,bk->bn", patches.points, normal)
+    sagitta: FloatArray = np.ptp(height, axis=1)
+    return sagitta
+
+
+def _is_finite(kind: Kind, local: FloatArray) -> BoolArray:
+    """Whether the surface bends at all on the scale of its patch; else it is a plane in disguise."""
+    size = local[:, 7] if kind == "torus" else local[:, 6]
+    finite: BoolArray = np.isfinite(local).all(axis=1) & (np.abs(size) < 1e3)
+    return finite
+
+
+def _passable(graph: FacetGraph, free: BoolArray) -> BoolArray:
+    neighbour = graph.neighbour
+    passable: BoolArray = (
+        (neighbour >= 0) & free[np.maximum(neighbour, 0)] & (np.abs(graph.dihedral) < CREASE)
+    )
+    return passable
+
+
+def _component_size(graph: FacetGraph, free: BoolArray) -> IntArray:
+    """(m,) number of free facets that hang together with each."""
+    joined = free[graph.pairs].all(axis=1)
+    label = graph.components(joined, len(free))
+    size: IntArray = np.bincount(label)[label]
+    return size
+
+
+def _seeds(mesh: Mesh, graph: FacetGraph, candidates: BoolArray, spacing: int) -> IntArray:
+    """Facets spread over the candidates: large ones first, none within ``spacing`` steps."""
+    index = np.flatnonzero(candidates)
+    order = index[np.argsort(-mesh.areas[index], kind="stable")]
+    covered = np.zeros(len(candidates), dtype=bool)
+    seeds = []
+    for facet in order:
+        if covered[facet]:
+            continue
+        seeds.append(facet)
+        front = np.array([facet])
+        for _ in range(spacing):
+            front = graph.neighbour[front].ravel()
+            front = front[front >= 0]
+            covered[front] = True
+    return np.array(seeds, dtype=np.int64)

@@ -1,0 +1,75 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Whether the facets that lie on a surface prove it, or would lie on many others too."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from gpswb.core.mesh import FloatArray, Mesh
+from gpswb.core.robust.growth import Grown
+from gpswb.core.robust.surfaces import distance
+from gpswb.core.robust.topology import FacetGraph
+
+LINES = 5
+"""Rulings that prove a cylinder or cone: any three parallel lines lie on one cylinder, and four of
+a symmetric profile do."""
+
+POINTS = 8
+"""Vertices that prove a sphere (4 unknowns) or a torus (7)."""
+
+DRIFT = 30.0
+"""Outside a true border vertices leave the surface at once; on a freeform surface they drift away:
+their distance stays within so many tolerances."""
+
+DRIFT_SHARE = 0.3
+"""Share of drifting border edges that disproves a surface."""
+
+
+def enough_evidence(mesh: Mesh, graph: FacetGraph, grown: Grown, tolerance: float) -> bool:
+    """Whether a grown region proves its surface."""
+    if len(grown.facets) < 4:
+        return False
+    points = mesh.vertices[np.unique(mesh.triangles[grown.facets])]
+    if grown.kind in ("cylinder", "cone"):
+        if distinct_rulings(points, grown.surface) < LINES:
+            return False
+    elif len(points) < POINTS:
+        return False
+    if _sagitta(mesh, grown) < 20.0 * tolerance:
+        return False
+    return not drifts(mesh, graph, grown, tolerance)
+
+
+def distinct_rulings(points: FloatArray, surface: FloatArray) -> int:
+    """Number of different angles about the axis at which (n, 3) points lie."""
+    u = surface[3:6]
+    e1 = np.cross(u, [1.0, 0.0, 0.0] if abs(u[0]) < 0.7 else [0.0, 1.0, 0.0])
+    e1 /= np.linalg.norm(e1)
+    x = points - surface[:3]
+    angle = np.sort(np.arctan2(x @ np.cross(u, e1), x @ e1))
+    gaps = np.diff(np.r_[angle, angle[0] + 2 * np.pi])
+    return max(1, int((gaps > 1e-4).sum()))
+
+
+def _sagitta(mesh: Mesh, grown: Grown) -> float:
+    """How far the region's vertices leave their mean plane, mm: a flat region proves no curvature."""
+    points = mesh.vertices[np.unique(mesh.triangles[grown.facets])]
+    x = points - points.mean(axis=0)
+    normal = np.linalg.eigh(x.T @ x)[1][:, 0]
+    return float(np.ptp(x @ normal))
+
+
+def drifts(mesh: Mesh, graph: FacetGraph, grown: Grown, tolerance: float) -> bool:
+    """Whether the mesh leaves the surface slowly behind many of the region's smooth border edges."""
+    inside = np.zeros(len(mesh.triangles), dtype=bool)
+    inside[grown.facets] = True
+    neighbour = graph.neighbour[grown.facets]
+    border = (neighbour >= 0) & ~inside[np.maximum(neighbour, 0)]
+    border &= np.abs(graph.dihedral[grown.facets]) < 0.35
+    outside = neighbour[border]
+    if not len(outside):
+        return False
+    d, _ = distance(grown.kind, grown.surface[None], mesh.corners[outside].reshape(1, -1, 3))
+    far = np.abs(d).reshape(-1, 3).max(axis=1)
+    slow = (far > tolerance) & (far < DRIFT * tolerance)
+    return float(slow.mean()) >= DRIFT_SHARE

@@ -1,0 +1,325 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Surfaces fitted to many small patches at once: first guesses from normals, then distances."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from gpswb.core.mesh import FloatArray
+from gpswb.core.robust.surfaces import Kind, distance_jacobian
+
+ITERATIONS = 30
+"""Levenberg-Marquardt steps at most; exact data converge quadratically in fewer than ten."""
+
+
+def fit_patches(
+    kind: Kind,
+    points: FloatArray,
+    weights: FloatArray,
+    centres: FloatArray,
+    normals: FloatArray,
+    robust_floor: float | None = None,
+) -> FloatArray:
+    """The surface of one kind nearest to each patch, from several starts where one won't do.
+
+    Args:
+        kind: the kind of surface.
+        points: (b, n, 3) vertices of each patch, centred and scaled to about 1.
+        weights: (b, n), 0 for padding.
+        centres: (b, f, 3) facet centroids in the same scale.
+        normals: (b, f, 3) facet normals times the square root of their weight (0 for padding).
+        robust_floor: see ``fit``.
+
+    Returns:
+        (b, 8) surfaces, see ``surfaces``.
+    """
+    if kind == "torus":
+        starts = _torus_starts(points, weights, centres, normals)
+    elif kind == "cone":
+        # A cone's normals hardly turn on a small patch; its nearest cylinder is the safer start.
+        start = _guess("cylinder", points, weights, centres, normals)
+        start = fit("cylinder", start, points, weights, robust_floor, iterations=10)
+        starts = [start, _guess("cone", points, weights, centres, normals)]
+    else:
+        starts = [_guess(kind, points, weights, centres, normals)]
+    if len(starts) > 1:
+        rough = [fit(kind, s, points, weights, robust_floor, iterations=12) for s in starts]
+        error = [np.sum(weights * np.abs(distance_jacobian(kind, r, points)[0]), axis=1) for r in rough]
+        best = np.argmin(np.nan_to_num(np.array(error), nan=np.inf), axis=0)
+        start = np.stack(rough)[best, np.arange(len(points))]
+    else:
+        start = starts[0]
+    return fit(kind, start, points, weights, robust_floor)
+
+
+def _torus_starts(
+    points: FloatArray, weights: FloatArray, centres: FloatArray, normals: FloatArray
+) -> list[FloatArray]:
+    """Tori that agree with each patch's curvatures, and one from its slippage.
+
+    Second order fixes the tube's radius and leaves one angle of the axis free: three are tried, for
+    either principal direction as the meridian.
+    """
+    axis, through = _rotation_axis(centres, normals)
+    starts = [_torus_about(axis, through, points, weights)]
+    n = normals.sum(axis=1)
+    n /= np.maximum(np.linalg.norm(n, axis=1), 1e-12)[:, None]
+    e1 = np.cross(n, np.where(np.abs(n[:, :1]) < 0.7, [[1.0, 0, 0]], [[0, 1.0, 0]]))
+    e1 /= np.linalg.norm(e1, axis=1)[:, None]
+    e2 = np.cross(n, e1)
+    total = np.maximum(weights.sum(axis=1), 1e-12)
+    mean = np.einsum("bn,bnk->bk", weights, points) / total[:, None]
+    x = points - mean[:, None]
+    p, q, h = (np.einsum("bnk,bk->bn", x, e) for e in (e1, e2, n))
+    rows = np.stack([p * p / 2, p * q, q * q / 2, p, q, np.ones_like(p)], axis=2)
+    a = np.einsum("bni,bn,bnj->bij", rows, weights, rows)
+    a[:, range(6), range(6)] += 1e-10 * np.trace(a, axis1=1, axis2=2)[:, None]
+    c = np.linalg.solve(a, np.einsum("bni,bn,bn->bi", rows, weights, h)[..., None])[..., 0]
+    value, vector = np.linalg.eigh(np.stack([c[:, [0, 1]], c[:, [1, 2]]], axis=1))
+    for which in (0, 1):
+        along = vector[:, 0, which, None] * e1 + vector[:, 1, which, None] * e2
+        kappa = value[:, which]
+        kappa = np.where(np.abs(kappa) < 1e-3, np.where(kappa < 0, -1e-3, 1e-3), kappa)
+        other = value[:, 1 - which]
+        other = np.where(np.abs(other) < 1e-3, np.where(other < 0, -1e-3, 1e-3), other)
+        tube_centre = mean + n / kappa[:, None]
+        for angle in (-0.9, 0.0, 0.9):
+            u = np.cos(angle) * along + np.sin(angle) * n
+            # The axis passes the normal line at the centre of the parallel's normal curvature.
+            foot = mean + n / other[:, None]
+            offset = foot - tube_centre
+            radial = offset - np.einsum("bk,bk->b", offset, u)[:, None] * u
+            surface = np.zeros((len(points), 8))
+            surface[:, :3] = tube_centre + radial
+            surface[:, 3:6] = u
+            surface[:, 6] = np.linalg.norm(radial, axis=1)
+            surface[:, 7] = 1.0 / np.abs(kappa)
+            starts.append(surface)
+    return starts
+
+
+def _torus_about(
+    axis: FloatArray, through: FloatArray, points: FloatArray, weights: FloatArray
+) -> FloatArray:
+    """(b, 8) tori about given axes: the circle nearest to the meridian half plane's points."""
+    x = points - through[:, None]
+    t = np.einsum("bnk,bk->bn", x, axis)
+    rho = np.linalg.norm(x - t[..., None] * axis[:, None], axis=2)
+    r0, z0, radius = _algebraic_circle(rho, t, weights)
+    surface = np.zeros((len(points), 8))
+    surface[:, :3] = through + z0[:, None] * axis
+    surface[:, 3:6], surface[:, 6], surface[:, 7] = axis, r0, radius
+    return surface
+
+
+def _guess(
+    kind: Kind, points: FloatArray, weights: FloatArray, centres: FloatArray, normals: FloatArray
+) -> FloatArray:
+    """(b, 8) surfaces of one kind guessed from normals; arguments as in ``fit_patches``."""
+    b = len(points)
+    surface = np.zeros((b, 8))
+    total = np.maximum(weights.sum(axis=1), 1e-12)
+    mean = np.einsum("bn,bnk->bk", weights, points) / total[:, None]
+    if kind == "plane":
+        x = (points - mean[:, None]) * np.sqrt(weights)[..., None]
+        surface[:, :3] = mean
+        surface[:, 3:6] = np.linalg.eigh(np.einsum("bni,bnj->bij", x, x))[1][:, :, 0]
+        return surface
+    if kind == "sphere":
+        surface[:, :3], surface[:, 6] = _algebraic_sphere(points, weights, mean)
+        return surface
+    facet_weight = np.einsum("bfk,bfk->bf", normals, normals)
+    moment = np.einsum("bfi,bfj->bij", normals, normals)
+    if kind == "cone":
+        # The normals of a cone make one angle with its axis: remove their mean.
+        s = np.einsum("bf,bfk->bk", np.sqrt(facet_weight), normals)
+        w = np.maximum(facet_weight.sum(axis=1), 1e-12)
+        moment = moment - np.einsum("bi,bj->bij", s, s) / w[:, None, None]
+    axis = np.linalg.eigh(moment)[1][:, :, 0]
+    through = _meeting_point(centres, normals, axis)
+    surface[:, 3:6] = axis
+    surface[:, :3] = through
+    x = points - through[:, None]
+    t = np.einsum("bnk,bk->bn", x, axis)
+    rho = np.linalg.norm(x - t[..., None] * axis[:, None], axis=2)
+    if kind == "cylinder":
+        surface[:, 6] = np.einsum("bn,bn->b", weights, rho) / total
+    else:
+        slope, offset = _line(t, rho, weights)
+        phi = np.arctan(slope)
+        surface[:, 6], surface[:, 7] = offset * np.cos(phi), phi
+    return surface
+
+
+def fit(
+    kind: Kind,
+    surface: FloatArray,
+    points: FloatArray,
+    weights: FloatArray,
+    robust_floor: float | None = None,
+    iterations: int = ITERATIONS,
+) -> FloatArray:
+    """Surfaces of least squared distance (Levenberg-Marquardt, analytic Jacobian).
+
+    Args:
+        kind: the kind of surface.
+        surface: (b, 8) first guesses.
+        points: (b, n, 3) with ``weights`` (b, n).
+        robust_floor: None for plain least squares; otherwise points that don't belong are
+            weighted down (Geman-McClure), with a scale that falls to this one, in the points' unit.
+
+    Returns:
+        (b, 8) surfaces; the direction is a unit vector.
+    """
+    surface = surface.copy()
+    b = len(surface)
+    damping = np.full(b, 1e-3)
+    scale = np.full(b, np.inf)
+    d, jac = distance_jacobian(kind, surface, points)
+    live = np.arange(b)
+    for step in range(iterations):
+        if robust_floor is not None and step >= 3:
+            median = _weighted_median(np.abs(d), weights[live])
+            scale[live] = np.maximum(np.minimum(2.0 * median, scale[live] * 0.7), robust_floor)
+        w = weights[live] * _influence(d, scale[live])
+        cost = _cost(d, weights[live], scale[live])
+        h = np.einsum("bni,bn,bnj->bij", jac, w, jac)
+        g = np.einsum("bni,bn,bn->bi", jac, w, d)
+        # The gauge freedoms (a point may slide along its axis) make h singular: damping fixes them.
+        size = np.maximum(np.trace(h, axis1=1, axis2=2), 1e-30)
+        h[:, range(8), range(8)] += damping[live, None] * size[:, None] / 8 + 1e-14 * size[:, None]
+        move = -np.linalg.solve(h, g[..., None])[..., 0]
+        trial = surface[live] + move
+        trial[:, 3:6] /= np.maximum(np.linalg.norm(trial[:, 3:6], axis=1), 1e-12)[:, None]
+        d_new, jac_new = distance_jacobian(kind, trial, points[live])
+        better = _cost(d_new, weights[live], scale[live]) <= cost
+        better &= np.isfinite(trial).all(axis=1)
+        surface[live[better]] = trial[better]
+        damping[live] = np.where(better, damping[live] * 0.1, damping[live] * 10.0)
+        d = np.where(better[:, None], d_new, d)
+        jac = np.where(better[:, None, None], jac_new, jac)
+        moving = (np.abs(move).max(axis=1) > 1e-13) & (damping[live] < 1e8)
+        if robust_floor is not None and step < 10:
+            moving[:] = True
+        if not moving.any():
+            break
+        live, d, jac = live[moving], d[moving], jac[moving]
+    return surface
+
+
+def _influence(d: FloatArray, scale: FloatArray) -> FloatArray:
+    return (1.0 / (1.0 + (d / scale[:, None]) ** 2)) ** 2
+
+
+def _cost(d: FloatArray, weights: FloatArray, scale: FloatArray) -> FloatArray:
+    s2 = np.minimum(scale, 1e30)[:, None] ** 2
+    cost: FloatArray = np.sum(weights * d**2 / (1.0 + d**2 / s2), axis=1)
+    return cost
+
+
+def _weighted_median(x: FloatArray, weights: FloatArray) -> FloatArray:
+    """Median of the entries of each row whose weight isn't zero."""
+    median: FloatArray = np.nanmedian(np.where(weights > 0, x, np.nan), axis=1)
+    return np.nan_to_num(median)
+
+
+def _algebraic_sphere(
+    points: FloatArray, weights: FloatArray, mean: FloatArray
+) -> tuple[FloatArray, FloatArray]:
+    """Sphere of |p|² = 2 c·p + k by linear least squares: (b, 3) centres and (b,) radii."""
+    x = points - mean[:, None]
+    rows = np.concatenate([2.0 * x, np.ones((*x.shape[:2], 1))], axis=2)
+    q = np.einsum("bnk,bnk->bn", x, x)
+    h = np.einsum("bni,bn,bnj->bij", rows, weights, rows)
+    h[:, range(4), range(4)] += 1e-12 * np.trace(h, axis1=1, axis2=2)[:, None]
+    s = np.linalg.solve(h, np.einsum("bni,bn,bn->bi", rows, weights, q)[..., None])[..., 0]
+    radius = np.sqrt(np.maximum(s[:, 3] + np.einsum("bk,bk->b", s[:, :3], s[:, :3]), 1e-12))
+    return s[:, :3] + mean, radius
+
+
+def _algebraic_circle(
+    x: FloatArray, y: FloatArray, weights: FloatArray
+) -> tuple[FloatArray, FloatArray, FloatArray]:
+    """Circles through (b, n) points of a plane: centre x, centre y, radius."""
+    points = np.stack([x, y, np.zeros_like(x)], axis=2)
+    total = np.maximum(weights.sum(axis=1), 1e-12)
+    mean = np.einsum("bn,bnk->bk", weights, points) / total[:, None]
+    centre, radius = _algebraic_sphere(points, weights, mean)
+    return centre[:, 0], centre[:, 1], radius
+
+
+def _line(t: FloatArray, rho: FloatArray, weights: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """Slope and offset of rho = slope·t + offset by weighted least squares, (b,) each."""
+    total = np.maximum(weights.sum(axis=1), 1e-12)
+    mt, mr = (weights * t).sum(axis=1) / total, (weights * rho).sum(axis=1) / total
+    dt = t - mt[:, None]
+    slope = (weights * dt * (rho - mr[:, None])).sum(axis=1) / np.maximum(
+        (weights * dt**2).sum(axis=1), 1e-12
+    )
+    return slope, mr - slope * mt
+
+
+def _meeting_point(centres: FloatArray, normals: FloatArray, axis: FloatArray) -> FloatArray:
+    """(b, 3) points nearest to all normal lines, seen along the (b, 3) axis."""
+    flat = normals - np.einsum("bfk,bk->bf", normals, axis)[..., None] * axis[:, None]
+    q = np.einsum("bfk,bfk->bf", flat, flat)
+    eye = np.eye(3)
+    h = q.sum(axis=1)[:, None, None] * eye - np.einsum("bfi,bfj->bij", flat, flat)
+    along = np.einsum("bi,bj->bij", axis, axis)
+    # Seen along the axis the system has rank two; pin the third coordinate to the centre.
+    h = h - along * np.einsum("bi,bij,bj->b", axis, h, axis)[:, None, None] + along
+    h += 1e-9 * np.maximum(np.trace(h, axis1=1, axis2=2), 1e-12)[:, None, None] * eye
+    weight = np.maximum(np.einsum("bfk,bfk->bf", normals, normals), 0.0)
+    mean = np.einsum("bf,bfk->bk", weight, centres) / np.maximum(weight.sum(axis=1), 1e-12)[:, None]
+    x = centres - mean[:, None]
+    x = x - np.einsum("bfk,bk->bf", x, axis)[..., None] * axis[:, None]
+    rhs = np.einsum("bf,bfk->bk", q, x) - np.einsum(
+        "bfi,bfj,bfj->bi", flat, flat, x
+    )
+    point: FloatArray = np.linalg.solve(h, rhs[..., None])[..., 0] + mean
+    return point
+
+
+def _rotation_axis(centres: FloatArray, normals: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """Axis (b, 3) and a point on it (b, 3) of the rotation that best leaves each patch in place.
+
+    Slippage with velocity measured: M x = mu V x, of which the twist of least mu with a rotation;
+    its pitch is dropped (paper, eq. 1-3; design, section 5).
+    """
+    moment = np.cross(centres, normals)
+    a = np.concatenate([moment, normals], axis=2)
+    m = np.einsum("bfi,bfj->bij", a, a)
+    weight = np.einsum("bfk,bfk->bf", normals, normals)
+    v = velocity_moments(centres, weight)
+    mean = np.einsum("bf,bfk->bk", weight, centres) / np.maximum(weight.sum(axis=1), 1e-12)[:, None]
+    floor = 1e-9 * np.maximum(np.trace(v, axis1=1, axis2=2), 1e-12)
+    lower = np.linalg.cholesky(v + floor[:, None, None] * np.eye(6))
+    inverse = np.linalg.inv(lower)
+    mu, y = np.linalg.eigh(inverse @ m @ np.swapaxes(inverse, 1, 2))
+    x = np.swapaxes(inverse, 1, 2) @ y[:, :, :3]
+    omega, t = x[:, :3], x[:, 3:]
+    # Of the three least motions, the one that turns most and has little pitch.
+    speed = np.linalg.norm(omega, axis=1)
+    radius = np.linalg.norm(np.cross(omega, t, axis=1), axis=1) / np.maximum(speed**2, 1e-12)
+    pitch = np.abs(np.einsum("bki,bki->bi", omega, t)) / np.maximum(speed**2, 1e-12)
+    badness = mu[:, :3] + 1e-3 * (pitch / np.maximum(radius, 1e-6)) + 1e-3 / np.maximum(speed, 1e-6)
+    best = np.argmin(badness, axis=1)
+    rows = np.arange(len(best))
+    w, s = omega[rows, :, best], t[rows, :, best]
+    norm = np.maximum(np.linalg.norm(w, axis=1), 1e-12)[:, None]
+    axis = w / norm
+    point = np.cross(w, s) / norm**2
+    point = point + np.einsum("bk,bk->b", mean - point, axis)[:, None] * axis
+    return axis, np.clip(point, -1e3, 1e3)
+
+
+def velocity_moments(points: FloatArray, weight: FloatArray) -> FloatArray:
+    """(b, 6, 6) V = sum w JᵀJ with J = (-[p]×, I), for (b, f, 3) points (design, section 5)."""
+    b, f = weight.shape
+    j = np.zeros((b, f, 3, 6))
+    j[..., 0, 1], j[..., 0, 2] = points[..., 2], -points[..., 1]
+    j[..., 1, 0], j[..., 1, 2] = -points[..., 2], points[..., 0]
+    j[..., 2, 0], j[..., 2, 1] = points[..., 1], -points[..., 0]
+    j[..., [0, 1, 2], [3, 4, 5]] = 1.0
+    v: FloatArray = np.einsum("bfki,bf,bfkj->bij", j, weight, j)
+    return v

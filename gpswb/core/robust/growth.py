@@ -1,0 +1,191 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The facets around a seed that lie on one surface."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from gpswb.core.mesh import BoolArray, FloatArray, IntArray, Mesh
+from gpswb.core.robust.fitting import fit, fit_patches
+from gpswb.core.robust.surfaces import Kind, distance, largest_curvature
+from gpswb.core.robust.topology import FacetGraph
+
+TURN_SHARE = 0.8
+"""A facet with its corners on a surface turns from it by at most about half the angle that its
+longest edge spans; more than this share of that angle means that it only touches the surface."""
+
+LARGEST_TURN = 0.9
+"""Facets that turn by more (rad) say nothing: the caps of a cylinder have their rims on it."""
+
+REFITS = 4
+"""Rounds of fitting and growing; exact data settle in two."""
+
+SAMPLE = 1500
+"""Vertices used to fit a grown region: more don't make exact data more exact."""
+
+
+@dataclass(frozen=True, eq=False)
+class Grown:
+    """A surface and the connected facets that lie on it."""
+
+    kind: Kind
+    surface: FloatArray
+    facets: IntArray
+
+
+def on_surface(
+    mesh: Mesh, kind: Kind, surface: FloatArray, facets: IntArray, tolerance: float, side: float
+) -> BoolArray:
+    """(k,) whether the given facets lie on a surface, by position first and then by normal.
+
+    Args:
+        mesh: the mesh.
+        kind: kind of the surface.
+        surface: (8,), see ``surfaces``.
+        facets: (k,) facet indices.
+        tolerance: largest distance of a corner, mm.
+        side: +1 or -1, which side of the surface is outside; 0 for either.
+    """
+    corners = mesh.corners[facets]
+    d, _ = distance(kind, surface[None], corners.reshape(1, -1, 3))
+    near = np.abs(d).reshape(-1, 3).max(axis=1) <= tolerance
+    centroids = mesh.centroids[facets]
+    _, normal = distance(kind, surface[None], centroids[None])
+    cosine = np.einsum("ik,ik->i", normal[0], mesh.facet_normals[facets])
+    if side:
+        cosine = cosine * side
+    else:
+        cosine = np.abs(cosine)
+    edge = np.linalg.norm(corners - np.roll(corners, 1, axis=1), axis=2).max(axis=1)
+    bend = edge * largest_curvature(kind, surface, centroids)
+    altitude = 2 * mesh.areas[facets] / np.maximum(edge, 1e-300)
+    # A sliver's normal is only known to tolerance / altitude.
+    slack = 0.02 + 2.0 * tolerance / np.maximum(altitude, 1e-300)
+    turn = np.arccos(np.clip(cosine, -1.0, 1.0))
+    return near & (turn <= np.minimum(TURN_SHARE * bend + slack, LARGEST_TURN))
+
+
+def grow(
+    mesh: Mesh,
+    graph: FacetGraph,
+    kind: Kind,
+    surface: FloatArray,
+    seed: IntArray,
+    allowed: BoolArray,
+    tolerance: float,
+) -> Grown:
+    """Grow from seed facets over the facets that lie on a surface, refitting it to what was found.
+
+    Args:
+        mesh: the mesh.
+        graph: its adjacency.
+        kind: kind of the surface.
+        surface: (8,) hypothesis.
+        seed: facets to start from.
+        allowed: (m,) facets that may be taken.
+        tolerance: largest distance of a vertex, mm.
+    """
+    facets = np.zeros(0, dtype=np.int64)
+    for _ in range(REFITS):
+        found = flood(mesh, graph, kind, surface, seed, allowed, tolerance)
+        if len(found) <= len(facets):
+            break
+        settled = len(facets) and len(found) < 1.02 * len(facets)
+        facets = found
+        if settled:
+            break
+        surface = refit(mesh, kind, surface, facets)
+    return Grown(kind, surface, facets)
+
+
+def refit(mesh: Mesh, kind: Kind, surface: FloatArray, facets: IntArray) -> FloatArray:
+    """(8,) the surface fitted to the vertices of facets by least squares."""
+    vertices = np.unique(mesh.triangles[facets])
+    if len(vertices) > SAMPLE:
+        vertices = vertices[np.linspace(0, len(vertices) - 1, SAMPLE).astype(np.int64)]
+    points = mesh.vertices[vertices]
+    centre = points.mean(axis=0)
+    scale = max(float(np.abs(points - centre).max()), 1e-300)
+    local = to_local(surface[None], centre[None], np.array([scale]), kind)
+    better = fit(kind, local, (points - centre)[None] / scale, np.ones((1, len(points))))
+    return to_world(better, centre[None], np.array([scale]), kind)[0]
+
+
+def fit_facets(mesh: Mesh, kind: Kind, facets: IntArray) -> FloatArray:
+    """(8,) the surface of a kind nearest to the vertices of facets, found without a first guess."""
+    if len(facets) > SAMPLE:
+        facets = facets[np.linspace(0, len(facets) - 1, SAMPLE).astype(np.int64)]
+    points = mesh.vertices[np.unique(mesh.triangles[facets])]
+    centre = points.mean(axis=0)
+    scale = max(float(np.abs(points - centre).max()), 1e-300)
+    share = np.sqrt(mesh.areas[facets] / max(float(mesh.areas[facets].sum()), 1e-300))
+    local = fit_patches(
+        kind,
+        (points - centre)[None] / scale,
+        np.ones((1, len(points))),
+        (mesh.centroids[facets] - centre)[None] / scale,
+        (mesh.facet_normals[facets] * share[:, None])[None],
+    )
+    return to_world(local, centre[None], np.array([scale]), kind)[0]
+
+
+def to_local(surface: FloatArray, centre: FloatArray, scale: FloatArray, kind: Kind) -> FloatArray:
+    """(b, 8) surfaces in coordinates (x - centre) / scale."""
+    out = surface.copy()
+    out[:, :3] = (out[:, :3] - centre) / scale[:, None]
+    out[:, 6] /= scale
+    if kind == "torus":
+        out[:, 7] /= scale
+    return slide(out, np.zeros_like(centre), kind)
+
+
+def to_world(surface: FloatArray, centre: FloatArray, scale: FloatArray, kind: Kind) -> FloatArray:
+    """(b, 8) surfaces from coordinates (x - centre) / scale back to mm."""
+    out = slide(surface, np.zeros_like(centre), kind)
+    out[:, :3] = out[:, :3] * scale[:, None] + centre
+    out[:, 6] *= scale
+    if kind == "torus":
+        out[:, 7] *= scale
+    return out
+
+
+def slide(surface: FloatArray, target: FloatArray, kind: Kind) -> FloatArray:
+    """Move the free point of axes and planes next to (b, 3) targets: the surface stays the same."""
+    out = surface.copy()
+    u = out[:, 3:6]
+    along = np.einsum("bk,bk->b", target - out[:, :3], u)
+    if kind in ("cylinder", "cone"):
+        out[:, :3] += along[:, None] * u
+        if kind == "cone":
+            out[:, 6] += along * np.sin(out[:, 7])
+    elif kind == "plane":
+        out[:, :3] = target - along[:, None] * u
+    return out
+
+
+def flood(
+    mesh: Mesh,
+    graph: FacetGraph,
+    kind: Kind,
+    surface: FloatArray,
+    seed: IntArray,
+    allowed: BoolArray,
+    tolerance: float,
+) -> IntArray:
+    """(k,) facets connected to the seed that lie on a surface; arguments as in ``grow``."""
+    _, normal = distance(kind, surface[None], mesh.centroids[seed][None])
+    side = np.sign(np.einsum("ik,ik->", normal[0], mesh.facet_normals[seed]))
+    seen = ~allowed
+    front = seed[on_surface(mesh, kind, surface, seed, tolerance, float(side))]
+    seen[seed] = True
+    taken = [front]
+    while len(front):
+        step = graph.neighbour[front].ravel()
+        step = np.unique(step[step >= 0])
+        step = step[~seen[step]]
+        seen[step] = True
+        front = step[on_surface(mesh, kind, surface, step, tolerance, float(side))]
+        taken.append(front)
+    return np.concatenate(taken)

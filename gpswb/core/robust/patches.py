@@ -1,0 +1,106 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Small patches around seed facets, padded to one array so that they can be fitted together."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from gpswb.core.mesh import BoolArray, FloatArray, IntArray, Mesh
+from gpswb.core.robust.topology import FacetGraph
+
+
+@dataclass(frozen=True, eq=False)
+class Patches:
+    """b patches, each centred at the origin and scaled into the unit ball.
+
+    Args:
+        seed: (b,) seed facets.
+        facets: (b, f) facet indices, -1 for padding.
+        vertices: (b, n) vertex indices, -1 for padding.
+        centre: (b, 3) and ``scale`` (b,): world = centre + scale · local, mm.
+        points: (b, n, 3) vertices, local; ``weights`` (b, n) 1 or 0.
+        centroids: (b, f, 3) facet centroids, local.
+        normals: (b, f, 3) facet normals times the square root of their share of the area.
+    """
+
+    seed: IntArray
+    facets: IntArray
+    vertices: IntArray
+    centre: FloatArray
+    scale: FloatArray
+    points: FloatArray
+    weights: FloatArray
+    centroids: FloatArray
+    normals: FloatArray
+
+    def take(self, rows: IntArray) -> Patches:
+        """The patches of some rows."""
+        return Patches(
+            self.seed[rows],
+            self.facets[rows],
+            self.vertices[rows],
+            self.centre[rows],
+            self.scale[rows],
+            self.points[rows],
+            self.weights[rows],
+            self.centroids[rows],
+            self.normals[rows],
+        )
+
+
+def patches_around(
+    mesh: Mesh, graph: FacetGraph, seeds: IntArray, passable: BoolArray, rings: int
+) -> Patches:
+    """Patches of all facets within some steps of a seed.
+
+    Args:
+        mesh: the mesh.
+        graph: its adjacency.
+        seeds: (b,) facets.
+        passable: (m, 3) bool: which edges of a facet may be crossed.
+        rings: number of steps.
+    """
+    facets = np.full((len(seeds), 1), -1, dtype=np.int64)
+    facets[:, 0] = seeds
+    front = facets
+    for _ in range(rings):
+        safe = np.maximum(front, 0)
+        step = np.where(passable[safe] & (front >= 0)[..., None], graph.neighbour[safe], -1)
+        facets = _unique_rows(np.concatenate([facets, step.reshape(len(seeds), -1)], axis=1))
+        front = _unique_rows(step.reshape(len(seeds), -1))
+    corners = np.where(facets[..., None] >= 0, mesh.triangles[np.maximum(facets, 0)], -1)
+    vertices = _unique_rows(corners.reshape(len(seeds), -1))
+    weights = (vertices >= 0).astype(np.float64)
+    points = mesh.vertices[np.maximum(vertices, 0)]
+    count = np.maximum(weights.sum(axis=1), 1.0)
+    centre = np.einsum("bn,bnk->bk", weights, points) / count[:, None]
+    points = (points - centre[:, None]) * weights[..., None]
+    scale = np.maximum(np.abs(points).max(axis=(1, 2)), 1e-300)
+    valid = facets >= 0
+    safe = np.maximum(facets, 0)
+    area = np.where(valid, mesh.areas[safe], 0.0)
+    share = area / np.maximum(area.sum(axis=1), 1e-300)[:, None]
+    return Patches(
+        seeds,
+        facets,
+        vertices,
+        centre,
+        scale,
+        points / scale[:, None, None],
+        weights,
+        (mesh.centroids[safe] - centre[:, None]) / scale[:, None, None] * valid[..., None],
+        mesh.facet_normals[safe] * np.sqrt(share)[..., None],
+    )
+
+
+def _unique_rows(index: IntArray) -> IntArray:
+    """Each row's distinct indices, padded with -1 behind."""
+    ordered = -np.sort(-index, axis=1)
+    repeated = np.zeros(ordered.shape, dtype=bool)
+    repeated[:, 1:] = ordered[:, 1:] == ordered[:, :-1]
+    ordered = np.where(repeated, -1, ordered)
+    ordered = -np.sort(-ordered, axis=1)
+    width = int((ordered >= 0).sum(axis=1).max(initial=1))
+    return ordered[:, : max(width, 1)]

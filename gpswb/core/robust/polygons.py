@@ -1,0 +1,122 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Coplanar facets joined to polygons, and which of them can only be planes."""
+
+from __future__ import annotations
+
+from itertools import combinations
+
+import numpy as np
+
+from gpswb.core.mesh import BoolArray, FloatArray, IntArray, Mesh
+from gpswb.core.robust.topology import FacetGraph
+
+
+def coplanar_polygons(mesh: Mesh, graph: FacetGraph, tolerance: float) -> IntArray:
+    """Join facets whose vertices lie in one plane.
+
+    Args:
+        mesh: the mesh.
+        graph: its adjacency.
+        tolerance: distance from the plane that counts as none, mm.
+
+    Returns:
+        (m,) int64 polygon of each facet, 0-based.
+    """
+    m = len(mesh.triangles)
+    a, b = graph.pairs.T
+    apex = _apexes(mesh, graph)
+    edge = mesh.vertices[graph.pair_edges]
+    direction = edge[:, 1] - edge[:, 0]
+    length = np.maximum(np.linalg.norm(direction, axis=1), 1e-300)
+    altitude = 2 * mesh.areas[graph.pairs] / length[:, None]
+    height = np.abs(
+        np.stack(
+            [
+                np.einsum("ek,ek->e", mesh.facet_normals[a], mesh.vertices[apex[:, 1]] - edge[:, 0]),
+                np.einsum("ek,ek->e", mesh.facet_normals[b], mesh.vertices[apex[:, 0]] - edge[:, 0]),
+            ],
+            axis=1,
+        )
+    )
+    # A sliver's plane is only known as well as its altitude: it tilts by tolerance / altitude.
+    lever = altitude[:, ::-1] / np.maximum(altitude, 1e-300)
+    joined = (height <= tolerance * np.maximum(1.0, lever)).all(axis=1)
+    joined &= np.abs(graph.pair_dihedral) < 0.5
+    label = graph.components(joined, m)
+    # Small steps add up along a gently curved surface: such chains fall apart again.
+    bad = _deviation(mesh, label) > 3.0 * tolerance
+    loose = bad[label]
+    label[loose] = label.max() + 1 + np.arange(int(loose.sum()))
+    return np.unique(label, return_inverse=True)[1].reshape(-1).astype(np.int64)
+
+
+def certain_planes(mesh: Mesh, polygon: IntArray, tolerance: float) -> BoolArray:
+    """Which polygons are planes whatever lies around them.
+
+    Four vertices of a tessellated cylinder lie in a plane too, as do all vertices between two
+    rulings: a polygon proves a plane when it has five vertices that don't lie on two lines.
+
+    Returns:
+        (k,) bool for the k polygons.
+    """
+    k = int(polygon.max()) + 1 if len(polygon) else 0
+    count = np.bincount(polygon, minlength=k)
+    order = np.argsort(polygon, kind="stable")
+    start = np.r_[0, np.cumsum(count)]
+    certain = np.zeros(k, dtype=bool)
+    for i in np.flatnonzero(count >= 3):
+        vertices = np.unique(mesh.triangles[order[start[i] : start[i + 1]]])
+        if len(vertices) >= 5:
+            certain[i] = not _on_two_lines(mesh.vertices[vertices], tolerance)
+    return certain
+
+
+def _on_two_lines(points: FloatArray, tolerance: float) -> bool:
+    """Whether all points lie on two lines: of any five on two lines, three are collinear."""
+    for triple in combinations(range(5), 3):
+        p, q, r = points[list(triple)]
+        sides = ((p, q), (q, r), (p, r))
+        far = max(sides, key=lambda s: float(np.sum((s[1] - s[0]) ** 2)))
+        off = _off_line(points, far[0], far[1])
+        if off[list(triple)].max() > tolerance:
+            continue
+        rest = points[off > tolerance]
+        if len(rest) <= 2:
+            return True
+        spread = np.argmax(np.sum((rest - rest[0]) ** 2, axis=1))
+        if _off_line(rest, rest[0], rest[spread]).max() <= tolerance:
+            return True
+    return False
+
+
+def _off_line(points: FloatArray, p: FloatArray, q: FloatArray) -> FloatArray:
+    u = (q - p) / max(float(np.linalg.norm(q - p)), 1e-300)
+    x = points - p
+    off: FloatArray = np.linalg.norm(x - np.outer(x @ u, u), axis=1)
+    return off
+
+
+def _apexes(mesh: Mesh, graph: FacetGraph) -> IntArray:
+    """(e, 2) the vertex of either facet of a pair that isn't on their edge."""
+    corner = mesh.triangles[graph.pairs]
+    apex: IntArray = corner.sum(axis=2) - graph.pair_edges.sum(axis=1)[:, None]
+    return apex
+
+
+def _deviation(mesh: Mesh, label: IntArray) -> FloatArray:
+    """(k,) largest distance of a component's vertices from its mean plane."""
+    k = int(label.max()) + 1
+    weighted = mesh.facet_normals * mesh.areas[:, None]
+    normal = np.stack([np.bincount(label, weighted[:, i], k) for i in range(3)], axis=1)
+    normal /= np.maximum(np.linalg.norm(normal, axis=1), 1e-300)[:, None]
+    count = np.bincount(label, minlength=k)
+    centre = np.stack([np.bincount(label, mesh.centroids[:, i], k) for i in range(3)], axis=1)
+    centre /= np.maximum(count, 1)[:, None]
+    x = mesh.corners - centre[label][:, None]
+    height = np.einsum("mck,mk->mc", x, normal[label])
+    top = np.full(k, -np.inf)
+    bottom = np.full(k, np.inf)
+    np.maximum.at(top, label, height.max(axis=1))
+    np.minimum.at(bottom, label, height.min(axis=1))
+    deviation: FloatArray = 0.5 * (top - bottom)
+    return deviation
