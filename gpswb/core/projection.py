@@ -5,7 +5,9 @@ from __future__ import annotations
 
 import numpy as np
 
+from gpswb.core.growing import grow_regions, number_by_first
 from gpswb.core.mesh import BoolArray, FloatArray, IntArray, Mesh
+from gpswb.core.sharp_edges import turning_angles
 
 
 def facets_from_vertices(labels: IntArray, triangles: IntArray, yields: BoolArray) -> IntArray:
@@ -58,3 +60,38 @@ def vertices_from_facets(
     result = np.full(n, low, dtype=np.int64)
     result[key[order] // span] = key[order] % span + low
     return result
+
+
+def fill_facets(label: IntArray, mesh: Mesh) -> IntArray:
+    """Give facets without label (-1) that of the neighbour they turn least from, ring by ring.
+
+    Connected facets that no label reaches get new labels, one for each component.
+
+    Args:
+        label: (m,) int, -1 for none.
+        mesh: the mesh.
+    """
+    label = label.copy()
+    first, second = mesh.facet_pairs.T
+    facet = np.concatenate([first, second])
+    neighbour = np.concatenate([second, first])
+    # Ascending angle, written in reverse: the least angle is written last and stays.
+    order = np.argsort(-np.tile(turning_angles(mesh), 2), kind="stable")
+    facet, neighbour = facet[order], neighbour[order]
+    while True:
+        reached = (label[facet] < 0) & (label[neighbour] >= 0)
+        if not reached.any():
+            break
+        label[facet[reached]] = label[neighbour[reached]]
+        facet, neighbour = facet[~reached], neighbour[~reached]
+    left = label < 0
+    component, _ = grow_regions(left.astype(np.int64), mesh.facet_pairs)
+    return np.where(left, component + label.max(initial=-1) + 1, label)
+
+
+def number_facet_regions(label: IntArray, mesh: Mesh) -> tuple[IntArray, int]:
+    """Number labels 0, 1, ... by first facet, -1 for degenerate facets; also how many there are."""
+    region = np.full(len(label), -1, dtype=np.int64)
+    solid = mesh.areas > 0.0
+    region[solid], count = number_by_first(label[solid])
+    return region, count

@@ -10,7 +10,7 @@ below wins, and the likelihoods are reported beside it.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Collection, Mapping
 from dataclasses import dataclass
 
 import numpy as np
@@ -96,39 +96,67 @@ def slip_of(
     return float(share @ turning)
 
 
-def weigh(sample: RegionSample, sigma: float, tolerances: Tolerances) -> Evidence:
-    """Fit every class to a region and measure how it stands off.
+def weigh(
+    sample: RegionSample,
+    sigma: float,
+    tolerances: Tolerances,
+    classes: Collection[InvarianceClass] = PARSIMONY,
+) -> Evidence:
+    """Fit classes to a region and measure how it stands off.
 
     Args:
         sample: the region.
         sigma: standard deviation of the vertices' noise, mm.
         tolerances: ``distance`` is taken of the region's size here.
+        classes: the classes to try.
     """
     references = {
         name: refine_reference(sample.vertices, name, reference)
         for name, reference in estimate_references(
             sample.points, sample.normals, sample.weights
         ).items()
+        if name in classes
     }
     on_surface = max(3.0 * sigma, tolerances.distance * sample.size)
     # A profile is known only through its chords: a tenth of their sagitta is left to it.
     on_profile = max(on_surface, 0.1 * sample.turning * sample.edge_length / 8.0)
     noise = (2.0 * sigma / sample.edge_length) ** 2 if sample.edge_length > 0.0 else 0.0
-    profile = ("prismatic", "revolute", "helical")
+    # Points fill a lead of a screw at random when it is none: its profile must be far thinner.
+    allowed = dict.fromkeys(PARSIMONY, on_surface)
+    allowed["prismatic"] = allowed["revolute"] = on_profile
+    if "helical" in references:
+        allowed["helical"] = min(on_profile, 0.01 * abs(references["helical"].lead))
+    stand_off = {n: thickness(sample.vertices, n, r) for n, r in references.items()}
+    helical = stand_off.get("helical", np.inf) <= allowed["helical"]
+    for rank, name in enumerate(PARSIMONY):
+        weaker = [
+            stand_off[n]
+            for n in PARSIMONY[rank + 1 : -1]
+            if n in stand_off and (n != "helical" or helical)
+        ]
+        if name not in ("helical", "complex"):
+            best = tolerances.form_gain * min(weaker, default=np.inf)
+            allowed[name] = max(allowed[name], min(best, tolerances.form * sample.size))
     return Evidence(
         references=references,
-        stand_off={n: thickness(sample.vertices, n, r) for n, r in references.items()},
+        stand_off=stand_off,
         slip={
             n: slip_of(sample.points, sample.normals, sample.weights, n, r)
             for n, r in references.items()
         },
-        distance={n: on_profile if n in profile else on_surface for n in references},
+        distance=allowed,
         # Where a region ends, corner normals are off by up to half a facet's turning.
         angle=max(2e-3, sample.turning**2 / 16.0, 4.0 * noise),
     )
 
 
-def decide(evidence: Evidence) -> InvarianceClass:
+Choice = Callable[[Evidence, Mapping[InvarianceClass, float]], InvarianceClass]
+"""Decides the class from how each class fits and from its log-likelihood."""
+
+
+def by_parsimony(
+    evidence: Evidence, likelihoods: Mapping[InvarianceClass, float]
+) -> InvarianceClass:
     """The most symmetric class that fits."""
     return next(name for name in PARSIMONY if evidence.fits(name))
 
@@ -140,10 +168,10 @@ def recognise(
     sigma: float,
     tolerances: Tolerances,
     *,
-    forced: InvarianceClass | None = None,
+    choose: Choice = by_parsimony,
     densities: Densities = "corrected",
 ) -> Region:
-    """Recognise one region, or describe it as a class that another method chose.
+    """Recognise one region and describe it.
 
     Args:
         number: its id.
@@ -151,11 +179,14 @@ def recognise(
         initial_regions: how many initial regions it was merged from.
         sigma: noise of the vertices, mm.
         tolerances: thresholds.
-        forced: the class, if already decided.
-        densities: which form of the likelihoods to report.
+        choose: what decides the class.
+        densities: which form of the likelihoods to compute.
     """
     evidence = weigh(sample, sigma, tolerances)
-    chosen = decide(evidence) if forced is None else forced
+    likelihoods = log_likelihoods(
+        sample.vertices, evidence.references, evidence.distance["planar"], densities
+    )
+    chosen = choose(evidence, likelihoods)
     rank = PARSIMONY.index(chosen)
     least = 0.01 * evidence.distance["planar"]
     rejected = [evidence.stand_off[n] for n in PARSIMONY[:rank] if not evidence.fits(n)]
@@ -178,8 +209,6 @@ def recognise(
         residual=evidence.stand_off[chosen],
         margin=float(min(max(margin, 1.0), _MARGIN_CAP)),
         initial_regions=initial_regions,
-        log_likelihood=log_likelihoods(
-            sample.vertices, evidence.references, evidence.distance["planar"], densities
-        ),
+        log_likelihood=likelihoods,
         undecided=tuple(n for n in PARSIMONY if n != "complex" and evidence.fits(n)) if few else (),
     )

@@ -50,7 +50,8 @@ def feature_edges(mesh: Mesh, tolerances: Tolerances | None = None) -> BoolArray
 
     The curvature on each side of an edge is taken from the edges of the facets around that share no
     vertex with it; a chord of that surface turns by half of each side's curvature times the width
-    of its facet. An edge that turns much further is a feature edge.
+    of its facet. An edge that turns much further than that, and than most edges around, is a
+    feature edge.
 
     Args:
         mesh: the mesh.
@@ -69,6 +70,7 @@ def feature_edges(mesh: Mesh, tolerances: Tolerances | None = None) -> BoolArray
     rate = np.where(sharp, 0.0, angle / np.maximum(height.min(axis=1), 1e-300))
     edge_of, beyond = _facet_edges(mesh)
     expected = np.zeros(len(doubtful))
+    nearby = np.full((len(doubtful), 18), np.nan)
     for side in (0, 1):
         facet = mesh.facet_pairs[doubtful, side]
         around = beyond[facet]  # (d, 3) facets across each edge of the facet; -1 at a border
@@ -78,8 +80,21 @@ def feature_edges(mesh: Mesh, tolerances: Tolerances | None = None) -> BoolArray
         opposite = mesh.facet_pairs[doubtful, 1 - side]
         candidates[np.repeat(around == opposite[:, None], 3, axis=1)] = -1
         expected += 0.5 * height[doubtful, side] * _largest_apart(mesh, rate, doubtful, candidates)
-    sharp[doubtful] = angle[doubtful] > tol.sharp_factor * expected + tol.never_sharp
+        usable = (candidates >= 0) & (candidates != doubtful[:, None])
+        nearby[:, 9 * side : 9 * side + 9] = np.where(usable, angle[candidates], np.nan)
+    # Most edges around a crease are none: their median is how rough the surface is.
+    rough = np.nan_to_num(_row_medians(nearby))
+    threshold = tol.sharp_factor * (expected + rough) + tol.never_sharp
+    sharp[doubtful] = angle[doubtful] > threshold
     return sharp
+
+
+def _row_medians(values: FloatArray) -> FloatArray:
+    """Lower median of each row, NaN left out; NaN for a row of NaN."""
+    ordered = np.sort(values, axis=1)
+    count = np.isfinite(ordered).sum(axis=1)
+    median: FloatArray = ordered[np.arange(len(values)), np.maximum(count - 1, 0) // 2]
+    return median
 
 
 def _largest_apart(

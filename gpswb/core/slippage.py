@@ -51,6 +51,15 @@ class SlippageMoments:
         centroid: FloatArray = vector / np.maximum(self.weight, 1e-300)[:, None]
         return centroid
 
+    @property
+    def gyration(self) -> FloatArray:
+        """(r,) radius of gyration of each region about its centroid."""
+        weight = np.maximum(self.weight, 1e-300)
+        square = np.trace(self.metric[:, :3, :3], axis1=1, axis2=2) / (2.0 * weight)
+        about: FloatArray = square - (self.centroid**2).sum(axis=1)
+        radius: FloatArray = np.sqrt(np.maximum(about, 0.0))
+        return radius
+
     def moved(self, origin: FloatArray) -> SlippageMoments:
         """The same moments about new origins, (r, 3) or (3,)."""
         shift = twist_shift(np.broadcast_to(origin, (len(self.motion), 3)))

@@ -47,7 +47,15 @@ class Tolerances:
     """Regions of fewer facets are ambiguous: a short strip of a cylinder lies on a sphere too."""
 
     distance: float = 1e-4
-    """Nominal vertices lie on their surface: how far (share of the diagonal) they may stand off."""
+    """Nominal vertices lie on their surface: how far (share of the region's size) they may stand
+    off at once."""
+
+    form: float = 2e-3
+    """How far (share of the region's size) they may stand off where no less symmetric class does
+    better: the form deviation of a surface that is not nominal."""
+
+    form_gain: float = 2.0
+    """A less symmetric class does better when it stands off less by this factor."""
 
 
 @dataclass(frozen=True)
@@ -73,8 +81,9 @@ class PaperSettings:
     signature_width: float = 0.1
     """Width of the Gaussian of equation (12); the print gives none."""
 
-    similarity: float = 0.5
-    """Least similarity at which regions merge; the print gives none."""
+    similarity: float = 0.1
+    """Least similarity at which regions merge; the print gives none. As both confidences multiply
+    it, a larger one leaves every small region unmerged."""
 
-    component_size: int = 50
+    component_size: int = 20
     """N of equation (13), vertices: desired size of a component; the print gives none."""

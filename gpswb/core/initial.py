@@ -1,0 +1,134 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""First step on facets: curvature, shape types, voting and growing (paper, 4 and 5.2, mended)."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from gpswb.core.curvature import (
+    Curvature,
+    curvedness,
+    estimate_curvature,
+    facet_tensors,
+    principal,
+    shape_index,
+)
+from gpswb.core.growing import grow_regions
+from gpswb.core.mesh import BoolArray, FloatArray, IntArray, Mesh
+from gpswb.core.normals import wedge_normals
+from gpswb.core.projection import number_facet_regions, vertices_from_facets
+from gpswb.core.shape_types import SHARP_EDGE, plane_by_sagitta, shape_types
+from gpswb.core.sharp_edges import feature_edges
+from gpswb.core.stages import StageClock
+from gpswb.core.tolerances import Tolerances
+from gpswb.core.voting import vote
+from gpswb.core.wedges import Wedges, find_wedges
+
+
+@dataclass(frozen=True, eq=False)
+class InitialPartition:
+    """Result of the first step.
+
+    Args:
+        crease: (e,) bool feature edges, aligned with ``mesh.facet_pairs``.
+        wedges: corners joined across all other edges.
+        curvature: at the wedges.
+        facet_type: (m,) int shape type -4..5 of each facet.
+        region: (m,) int initial region; -1 for degenerate facets.
+        count: number of initial regions.
+        vertex_type: (n,) int shape type, 6 on feature edges.
+        shape_index, curvedness: (n,) at the vertices; on feature edges those of the most curved
+            wedge.
+        sharp_edge_regions: connected components of feature edges.
+    """
+
+    crease: BoolArray
+    wedges: Wedges
+    curvature: Curvature
+    facet_type: IntArray
+    region: IntArray
+    count: int
+    vertex_type: IntArray
+    shape_index: FloatArray
+    curvedness: FloatArray
+    sharp_edge_regions: int
+
+
+def initial_partition(
+    mesh: Mesh, sigma: float, tolerances: Tolerances, clock: StageClock
+) -> InitialPartition:
+    """Label facets by shape type and grow initial regions that stop at feature edges.
+
+    Args:
+        mesh: the mesh.
+        sigma: noise of the vertices, mm.
+        tolerances: thresholds.
+        clock: takes the times of the stages `curvature` and `initial`.
+    """
+    with clock.stage("curvature"):
+        crease = feature_edges(mesh, tolerances)
+        wedges = find_wedges(mesh, crease)
+        normals = wedge_normals(mesh, wedges)
+        curvature = estimate_curvature(mesh, wedges, normals, sweeps=noise_sweeps(mesh, sigma))
+    with clock.stage("initial"):
+        types = _facet_types(mesh, wedges, curvature, sigma, tolerances)
+        smooth = mesh.facet_pairs[~crease]
+        types, _ = vote(types, smooth, max_sweeps=tolerances.vote_sweeps)
+        region, count = number_facet_regions(grow_regions(types, smooth)[0], mesh)
+        index, curved = _strongest(mesh, wedges, curvature)
+        vertex_type = vertices_from_facets(types, mesh)
+        on_edge = np.unique(mesh.pair_edges[crease])
+        vertex_type[on_edge] = SHARP_EDGE
+        part, _ = grow_regions(np.zeros(len(mesh.vertices), np.int64), mesh.pair_edges[crease])
+    return InitialPartition(
+        crease=crease,
+        wedges=wedges,
+        curvature=curvature,
+        facet_type=types,
+        region=region,
+        count=count,
+        vertex_type=vertex_type,
+        shape_index=index,
+        curvedness=curved,
+        sharp_edge_regions=len(np.unique(part[on_edge])),
+    )
+
+
+def noise_sweeps(mesh: Mesh, sigma: float) -> int:
+    """Averaging sweeps that a noise asks for: none on a nominal mesh, at most 12.
+
+    Noise of sigma on edges of length l turns normals by sigma / l; k sweeps average over a ball of
+    about k facets, so that k grows with the square of the turn against 1 degree.
+    """
+    if sigma <= 0.0 or not len(mesh.pair_edges):
+        return 0
+    ends = mesh.vertices[mesh.pair_edges]
+    length = float(np.median(np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1)))
+    turn = sigma / max(length, 1e-300) / np.radians(1.0)
+    return int(np.clip(np.ceil(turn**2), 0, 12)) if turn > 0.1 else 0
+
+
+def _facet_types(
+    mesh: Mesh, wedges: Wedges, curvature: Curvature, sigma: float, tolerances: Tolerances
+) -> IntArray:
+    """Shape type of each facet: from its own corner normals, or from the averages under noise."""
+    if noise_sweeps(mesh, sigma):
+        tensor = curvature.tensor[wedges.of_corner].mean(axis=1)
+    else:
+        tensor = facet_tensors(mesh, curvature.normals[wedges.of_corner])
+    k_max, k_min, _ = principal(tensor, mesh.facet_normals)
+    edges = np.linalg.norm(np.roll(mesh.corners, -1, axis=1) - mesh.corners, axis=2)
+    limit = max(tolerances.sagitta * mesh.diagonal, 3.0 * sigma)
+    plane = plane_by_sagitta(curvedness(k_max, k_min), edges.max(axis=1), limit)
+    return shape_types(shape_index(k_max, k_min), plane)
+
+
+def _strongest(mesh: Mesh, wedges: Wedges, curvature: Curvature) -> tuple[FloatArray, FloatArray]:
+    """Shape index and curvedness (n,) of each vertex's most curved wedge; 0 where it has none."""
+    order = np.argsort(curvature.curvedness, kind="stable")
+    index, curved = np.zeros(len(mesh.vertices)), np.zeros(len(mesh.vertices))
+    index[wedges.vertex[order]] = curvature.shape_index[order]
+    curved[wedges.vertex[order]] = curvature.curvedness[order]
+    return index, curved

@@ -1,0 +1,88 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Second step on facets: merging by slippage for k = 3..0, and give-back (paper, 5.3, mended)."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from gpswb.core.core_facets import core_facets
+from gpswb.core.give_back import give_back
+from gpswb.core.growing import grow_regions
+from gpswb.core.merging import merge_regions
+from gpswb.core.mesh import BoolArray, FloatArray, IntArray, Mesh
+from gpswb.core.quadric_moments import quadric_moments
+from gpswb.core.region_samples import confined_normals
+from gpswb.core.slippage import facet_samples, slippage_moments
+from gpswb.core.slippage_rule import MergeLimits, MergeState, SlippageRule
+from gpswb.core.tolerances import Tolerances
+
+_PASSES = 2  # the second pass works on borders that the first has cleaned
+
+
+def refine_regions(
+    mesh: Mesh, initial: IntArray, crease: BoolArray, sigma: float, tolerances: Tolerances
+) -> IntArray:
+    """Merge initial regions into refined ones and clean their tangent borders.
+
+    Args:
+        mesh: the mesh.
+        initial: (m,) int initial regions; -1 for degenerate facets.
+        crease: (e,) bool feature edges.
+        sigma: noise of the vertices, mm.
+        tolerances: thresholds.
+
+    Returns:
+        (m,) int64 refined regions (numbers with gaps); -1 for degenerate facets.
+    """
+    region = initial.copy()
+    for _ in range(_PASSES):
+        for k in (3, 2, 1, 0):
+            region = _merge(mesh, region, crease, k, sigma, tolerances)
+        region = give_back(mesh, region, crease, sigma, tolerances)
+        # A border moved may have cut a region in two, or joined pieces of one.
+        grown, _ = grow_regions(region, mesh.facet_pairs)
+        region = np.where(region >= 0, grown, -1)
+    return region
+
+
+def _merge(
+    mesh: Mesh,
+    region: IntArray,
+    crease: BoolArray,
+    k: int,
+    sigma: float,
+    tolerances: Tolerances,
+) -> IntArray:
+    count = int(region.max(initial=-1)) + 1
+    pairs = region[mesh.facet_pairs if k else mesh.facet_pairs[~crease]]
+    pairs = pairs[(pairs >= 0).all(axis=1) & (pairs[:, 0] != pairs[:, 1])]
+    if not len(pairs):
+        return region
+    core = np.where(core_facets(mesh, region, crease), region, -1)
+    state = _moments(mesh, core, count, confined_normals(mesh, region, crease))
+    length = mesh.vertices[mesh.pair_edges]
+    edge = float(np.sqrt(((length[:, 1] - length[:, 0]) ** 2).sum(axis=1).mean()))
+    limits = MergeLimits(
+        slippable=max(tolerances.slippable, 4.0 * (sigma / edge) ** 2),
+        stand_off=max(tolerances.distance, 3.0 * sigma / mesh.diagonal),
+        similarity=tolerances.similarity,
+        signature_width=tolerances.signature_width,
+        confident_facets=tolerances.confident_facets,
+    )
+    kept = merge_regions(count, pairs, SlippageRule(state, k, limits), 1e-12)
+    return np.where(region >= 0, kept[region], -1)
+
+
+def _moments(mesh: Mesh, label: IntArray, count: int, corner_normals: FloatArray) -> MergeState:
+    """Moments of each region in a frame centred in the mesh and scaled by its diagonal."""
+    centre = 0.5 * (mesh.vertices.min(axis=0) + mesh.vertices.max(axis=0))
+    scale = max(mesh.diagonal, 1e-300)
+    points, normals, weights = facet_samples(mesh, corner_normals)
+    weights = weights / scale**2
+    slippage = slippage_moments(
+        (points - centre) / scale, normals, weights, np.repeat(label, 3), count
+    )
+    corners = (mesh.corners.reshape(-1, 3) - centre) / scale
+    quadric = quadric_moments(corners, weights, np.repeat(label, 3), count)
+    facets = np.bincount(label[label >= 0], minlength=count)
+    return MergeState(slippage.motion, slippage.metric, quadric, facets)

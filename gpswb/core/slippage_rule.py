@@ -1,0 +1,146 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The merge rule with its errors mended: additive moments, joint frame, no loss of symmetry."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from gpswb.core.mesh import BoolArray, FloatArray, IntArray
+from gpswb.core.quadric_moments import cylinder_stand_off, plane_stand_off, sphere_stand_off
+from gpswb.core.similarity import signature_similarity
+from gpswb.core.slippage import SlippageMoments, slippable_motions
+
+_TINY = 1e-9  # least score of a merge that is allowed at all; confidences only order merges
+
+
+@dataclass(eq=False)
+class MergeState:
+    """Additive moments of r regions, all in one frame scaled to the mesh's diagonal.
+
+    Args:
+        motion, metric: (r, 6, 6) slippage moments M and V.
+        quadric: (r, 10, 10) moments of the quadratic monomials of the vertices.
+        facets: (r,) number of facets that the moments were taken over.
+    """
+
+    motion: FloatArray
+    metric: FloatArray
+    quadric: FloatArray
+    facets: IntArray
+
+
+@dataclass(frozen=True)
+class MergeLimits:
+    """Limits of one merging pass, as pure numbers in the frame of the moments."""
+
+    slippable: float
+    stand_off: float
+    similarity: float
+    signature_width: float
+    confident_facets: int
+
+
+class SlippageRule:
+    """Two regions may merge when they share k motions, keep them together, and lie on one surface.
+
+    Mended against the print: M x = mu V x, so that nothing depends on unit or origin; signatures
+    compared under the metric of the union; the union must itself have the motions; no confident
+    region may lose one; where the union slips in two ways or more it must lie on one plane, sphere
+    or cylinder; the confidences C only order the merges. With ``k = 0`` regions without any motion
+    merge, so that a freeform face cut up by its shape types is one complex region.
+
+    Args:
+        state: moments, which the rule owns and adds up.
+        k: number of motions that must agree, 0 to 3.
+        limits: thresholds.
+    """
+
+    def __init__(self, state: MergeState, k: int, limits: MergeLimits) -> None:
+        self._state, self._k, self._limits = state, k, limits
+        self._mu, self._twist = slippable_motions(SlippageMoments(state.motion, state.metric))
+
+    def score(self, first: IntArray, second: IntArray) -> FloatArray:
+        """Score (p,) of each pair: 0 where the merge is forbidden."""
+        state, limits, k = self._state, self._limits, self._k
+        union = SlippageMoments(
+            state.motion[first] + state.motion[second], state.metric[first] + state.metric[second]
+        )
+        mu, twist = slippable_motions(union)
+        joint = (mu <= limits.slippable).sum(axis=1)
+        each = [(self._mu[i] <= limits.slippable).sum(axis=1) for i in (first, second)]
+        sure = [state.facets[i] >= limits.confident_facets for i in (first, second)]
+        allowed = joint >= k
+        for motions, confident in zip(each, sure, strict=True):
+            allowed &= (motions >= k) & ~(confident & (motions > joint))
+        if k == 0:
+            allowed &= joint == 0
+            return np.where(allowed, self._order(first, second), 0.0)
+        angle = self._agreement(first, second, union)
+        allowed &= angle >= limits.similarity
+        allowed &= self._one_surface(first, second, union, twist, joint)
+        return np.where(allowed, angle * self._order(first, second), 0.0)
+
+    def join(self, kept: int, gone: int) -> None:
+        """Add the moments and solve anew."""
+        state = self._state
+        for array in (state.motion, state.metric, state.quadric, state.facets):
+            array[kept] += array[gone]
+        moments = SlippageMoments(state.motion[[kept]], state.metric[[kept]])
+        mu, twist = slippable_motions(moments)
+        self._mu[kept], self._twist[kept] = mu[0], twist[0]
+
+    def _order(self, first: IntArray, second: IntArray) -> FloatArray:
+        """C(P_i) C(P_j): large regions merge first."""
+        share = np.minimum(1.0, self._state.facets / (4.0 * self._limits.confident_facets))
+        return np.maximum(share[first] * share[second], _TINY)
+
+    def _agreement(self, first: IntArray, second: IntArray, union: SlippageMoments) -> FloatArray:
+        """G(sigma_{k+1}) of the slippable motions under the metric of the union."""
+        metric = union.metric / np.maximum(union.weight, 1e-300)[:, None, None]
+        lower = np.swapaxes(np.linalg.cholesky(metric + 1e-10 * np.eye(6)), 1, 2)
+        bases = []
+        for index in (first, second):
+            slips = self._mu[index, :3] <= self._limits.slippable
+            # Motions ascend in mu, so orthonormalising keeps the slippable span in front.
+            basis = np.linalg.qr(lower @ self._twist[index, :, :3])[0]
+            bases.append(basis * slips[:, None, :])
+        return signature_similarity(bases[0], bases[1], self._k, self._limits.signature_width)
+
+    def _one_surface(
+        self,
+        first: IntArray,
+        second: IntArray,
+        union: SlippageMoments,
+        twist: FloatArray,
+        joint: IntArray,
+    ) -> BoolArray:
+        """Whether unions that slip in two ways or more lie on one plane, sphere or cylinder."""
+        quadric = self._state.quadric[first] + self._state.quadric[second]
+        least = np.full(len(first), np.inf)
+        least[joint < 2] = 0.0
+        full = joint >= 3
+        if full.any():
+            least[full] = np.minimum(
+                plane_stand_off(quadric[full]), sphere_stand_off(quadric[full])
+            )
+        two = joint == 2
+        if two.any():
+            point, direction = _axes(twist[two, :, :2])
+            least[two] = cylinder_stand_off(quadric[two], point, direction)
+        allowed: BoolArray = least <= self._limits.stand_off * union.gyration
+        return allowed
+
+
+def _axes(twist: FloatArray) -> tuple[FloatArray, FloatArray]:
+    """Axis (point, direction) of two-dimensional motions (p, 6, 2) of cylinders."""
+    omega = twist[:, :3, :]
+    # All rotations of a cylinder share one axis: the leading left singular vector of the omegas.
+    direction = np.linalg.svd(omega)[0][:, :, 0]
+    share = np.einsum("pi,pik->pk", direction, omega)
+    turn = np.einsum("pik,pk->pi", twist, share)
+    squared = np.maximum(np.einsum("pk,pk->p", share, share), 1e-300)[:, None]
+    # turn / squared is the unit rotation about the axis: its point is direction x t.
+    point = np.cross(direction, turn[:, 3:]) / squared
+    return point, direction
