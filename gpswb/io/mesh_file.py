@@ -1,12 +1,15 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Reading triangle meshes: STL, PLY, OFF, OBJ (trimesh parses, we check and weld)."""
+"""Reading triangle meshes: STL, PLY, OFF, OBJ. trimesh or FreeCAD parses, we check and weld."""
 
 from __future__ import annotations
 
+import importlib.util
+from collections.abc import Callable
 from pathlib import Path
-from typing import Any
+from typing import Any, BinaryIO
 
 import numpy as np
+import numpy.typing as npt
 from scipy.sparse import coo_array
 from scipy.sparse.csgraph import connected_components
 from scipy.spatial import cKDTree
@@ -30,22 +33,13 @@ def read_mesh(path: Path) -> Mesh:
     Raises:
         InputError: no such file, not a mesh, no triangles, or coordinates that are not finite.
     """
-    try:
-        # An ImportError would be the machine's fault, not the file's: say what to install.
-        import trimesh
-    except ImportError as error:
-        raise InputError("reading a mesh file needs the Python package trimesh") from error
+    parse = _parser()
     try:
         with path.open("rb") as file:
-            # From an open file, so that an OBJ can't make us open the other files it names.
-            loaded: Any = trimesh.load_mesh(
-                file, file_type=path.suffix.lower()[1:], process=False, skip_materials=True
-            )
-            vertices = np.array(loaded.vertices, dtype=np.float64).reshape(-1, 3)
-            triangles = np.array(loaded.faces, dtype=np.int64).reshape(-1, 3)
+            vertices, triangles = parse(file, path.suffix.lower()[1:])
     except OSError as error:
         raise InputError(f"can't read {path}: {error.strerror or error}") from error
-    except Exception as error:  # the parsers raise whatever the bytes make them raise
+    except Exception as error:  # the parsers raise whatever the bytes make them
         raise InputError(f"{path} is not a readable {path.suffix[1:].upper()} mesh") from error
     if not len(triangles):
         raise InputError(f"{path} holds no triangles")
@@ -53,6 +47,43 @@ def read_mesh(path: Path) -> Mesh:
         return weld(Mesh(vertices, triangles))
     except ValueError as error:
         raise InputError(f"{path}: {error}") from error
+
+
+Arrays = tuple[npt.NDArray[np.float64], npt.NDArray[np.int64]]
+
+
+def _parser() -> Callable[[BinaryIO, str], Arrays]:
+    """The parser that this Python has: trimesh, else FreeCAD's own."""
+    for module, parse in (("trimesh", _by_trimesh), ("Mesh", _by_freecad)):
+        if importlib.util.find_spec(module):
+            return parse
+    raise InputError("reading a mesh file needs the Python package trimesh, or FreeCAD")
+
+
+def _by_trimesh(file: BinaryIO, suffix: str) -> Arrays:
+    import trimesh
+
+    # From an open file, so that an OBJ can't make us open the other files it names.
+    loaded: Any = trimesh.load_mesh(file, file_type=suffix, process=False, skip_materials=True)
+    return (
+        np.array(loaded.vertices, dtype=np.float64).reshape(-1, 3),
+        np.array(loaded.faces, dtype=np.int64).reshape(-1, 3),
+    )
+
+
+def _by_freecad(file: BinaryIO, _suffix: str) -> Arrays:
+    import FreeCAD
+    import Mesh as FreeCADMesh
+
+    assert FreeCAD.Version  # Mesh can't be loaded before it
+    loaded = FreeCADMesh.Mesh()
+    # By name: only so does it tell the two kinds of STL apart itself.
+    loaded.read(file.name)
+    points, facets = loaded.Topology
+    return (
+        np.array([tuple(point) for point in points], dtype=np.float64).reshape(-1, 3),
+        np.array(facets, dtype=np.int64).reshape(-1, 3),
+    )
 
 
 def weld(mesh: Mesh) -> Mesh:

@@ -22,23 +22,27 @@ def stl_binary(shift: float = 0.0) -> bytes:
     return body
 
 
+def numbers(*values: float) -> str:
+    return " ".join(f"{value:g}" for value in values)
+
+
 def text(kind: str) -> bytes:
     if kind == "off":
-        lines = ["OFF", "4 4 6", *("%g %g %g" % p for p in POINTS)]
-        lines += ["3 %d %d %d" % f for f in FACES]
+        lines = ["OFF", "4 4 6", *(numbers(*p) for p in POINTS)]
+        lines += [numbers(3, *f) for f in FACES]
     elif kind == "obj":
-        lines = ["mtllib absent.mtl", *("v %g %g %g" % p for p in POINTS)]
-        lines += ["f %d %d %d" % tuple(i + 1 for i in f) for f in FACES]
+        lines = ["mtllib absent.mtl", *("v " + numbers(*p) for p in POINTS)]
+        lines += ["f " + numbers(*(i + 1 for i in f)) for f in FACES]
     elif kind == "ply":
         lines = ["ply", "format ascii 1.0", "element vertex 4"]
         lines += [f"property float {axis}" for axis in "xyz"]
         lines += ["element face 4", "property list uchar int vertex_indices", "end_header"]
-        lines += ["%g %g %g" % p for p in POINTS] + ["3 %d %d %d" % f for f in FACES]
+        lines += [numbers(*p) for p in POINTS] + [numbers(3, *f) for f in FACES]
     else:
         lines = ["solid t"]
         for f in FACES:
             lines += ["facet normal 0 0 0", "outer loop"]
-            lines += ["vertex %g %g %g" % POINTS[v] for v in f]
+            lines += ["vertex " + numbers(*POINTS[v]) for v in f]
             lines += ["endloop", "endfacet"]
         lines += ["endsolid t"]
     return ("\n".join(lines) + "\n").encode()
@@ -53,6 +57,7 @@ def text(kind: str) -> bytes:
         (".obj", text("obj")),
         (".ply", text("ply")),
     ],
+    ids=["binary stl", "ascii stl", "off", "obj", "ply"],
 )
 def test_formats_agree(tmp_path: Path, suffix: str, content: bytes) -> None:
     path = tmp_path / f"tetrahedron{suffix}"
@@ -89,6 +94,7 @@ def test_what_is_really_apart_stays_apart(tmp_path: Path) -> None:
         ("bad_index.off", b"OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 9\n"),
         ("nan.off", b"OFF\n3 1 0\n0 0 nan\n1 0 0\n0 1 0\n3 0 1 2\n"),
     ],
+    ids=lambda value: value if isinstance(value, str) else "",
 )
 def test_bad_files_give_one_line(tmp_path: Path, name: str, content: bytes) -> None:
     (tmp_path / name).write_bytes(content)

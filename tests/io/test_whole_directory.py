@@ -52,9 +52,14 @@ def test_failure_leaves_what_was_there(tmp_path: Path, error: type[BaseException
     out = tmp_path / "out"
     fill(out, a="old")
     expected = OutputError if error is OSError else error
-    with pytest.raises(expected), whole_directory(out, OWNED) as draft:
-        (draft / "a.txt").write_text("half")
-        raise error
+
+    def break_off() -> None:
+        with whole_directory(out, OWNED) as draft:
+            (draft / "a.txt").write_text("half")
+            raise error
+
+    with pytest.raises(expected):
+        break_off()
     assert listing(tmp_path) == {"out/a.txt": "old"}
 
 
