@@ -53,11 +53,11 @@ def partition_as_printed(
 ) -> Partition:
     """Partition as printed.
 
-    Vertices are labelled: curvature by discretised operators, sharp edges by equations (6)-(7), shape
-    types by equation (8) with p_c in 1/mm, synchronous voting (9)-(11) with a cap, growing along mesh
-    edges, merging by equations (1)-(3) and (12)-(13) for k = 3, 2, 1, and the class with the largest
-    printed likelihood. Facets then take the label of most of their vertices; vertices on sharp
-    edges give way.
+    Vertices are labelled: curvature by discretised operators, sharp edges by equations (6)-(7),
+    shape types by equation (8) with p_c in 1/mm, synchronous voting (9)-(11) with a cap, growing
+    along mesh edges, merging by equations (1)-(3) and (12)-(13) for k = 3, 2, 1, and the class with
+    the largest printed likelihood. Facets then take the label of most of their vertices; vertices
+    on sharp edges give way.
 
     Args:
         mesh: the mesh, mm: the result depends on the unit and on the origin, as the print does.
@@ -113,7 +113,8 @@ def _vertex_pairs(mesh: Mesh) -> IntArray:
     ends = np.sort(mesh.triangles[:, [[0, 1], [1, 2], [2, 0]]].reshape(-1, 2), axis=1)
     key = np.unique(ends[:, 0] * np.int64(max(len(mesh.vertices), 1)) + ends[:, 1])
     pairs = np.column_stack(np.divmod(key, max(len(mesh.vertices), 1)))
-    return pairs[pairs[:, 0] != pairs[:, 1]]
+    proper: IntArray = pairs[pairs[:, 0] != pairs[:, 1]]
+    return proper
 
 
 def _merge(

@@ -35,11 +35,11 @@ class _Surface:
         """(n,) distance of points (n, 3), mm."""
         ray = points - self.reference.point
         if self.name == "planar":
-            plane: FloatArray = np.abs(ray @ self.reference.direction)
-            return plane
+            return np.asarray(np.abs(ray @ self.reference.direction), dtype=np.float64)
         if self.name == "cylindrical":
             ray = np.cross(ray, self.reference.direction)
-        away: FloatArray = np.abs(np.linalg.norm(ray, axis=1) - self.radius)
+        rho: FloatArray = np.linalg.norm(ray, axis=1)
+        away: FloatArray = np.abs(rho - self.radius)
         return away
 
 

@@ -65,9 +65,9 @@ def class_by_table(types: IntArray, curvedness: FloatArray) -> InvarianceClass:
     """Class of a region of one shape type by Table 4.
 
     Planes are planar; caps and cups of constant curvedness spherical; ridges and ruts cylindrical
-    if their curvedness is constant, else prismatic. The table can't tell revolute, helical and complex
-    apart: what varies little is called revolute, the commonest, and the rest complex. It calls a
-    cone's curvedness constant, wrongly: cones come out prismatic.
+    if their curvedness is constant, else prismatic. The table can't tell revolute, helical and
+    complex apart: what varies little is called revolute, the commonest, and the rest complex. It
+    calls a cone's curvedness constant, wrongly: cones come out prismatic.
 
     Args:
         types: (f,) shape type of the facets, all equal.

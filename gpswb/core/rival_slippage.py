@@ -124,7 +124,9 @@ class GelfandRule:
             result *= confidence(self._size[index], count, self._k, self._patch)
             vectors.append(vector[:, :, : self._k])
         width = self._settings.signature_width
-        similarity: FloatArray = result * signature_similarity(*vectors, self._k, width)
+        similarity: FloatArray = result * signature_similarity(
+            vectors[0], vectors[1], self._k, width
+        )
         return similarity
 
     def join(self, kept: int, gone: int) -> None:

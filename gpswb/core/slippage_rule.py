@@ -94,7 +94,8 @@ class SlippageRule:
     def _order(self, first: IntArray, second: IntArray) -> FloatArray:
         """C(P_i) C(P_j): large regions merge first."""
         share = np.minimum(1.0, self._state.facets / (4.0 * self._limits.confident_facets))
-        return np.maximum(share[first] * share[second], _TINY)
+        order: FloatArray = np.maximum(share[first] * share[second], _TINY)
+        return order
 
     def _agreement(self, first: IntArray, second: IntArray, union: SlippageMoments) -> FloatArray:
         """G(sigma_{k+1}) of the slippable motions under the metric of the union."""
