@@ -39,9 +39,9 @@ def renew_section(document: str, title: str, section: str) -> str:
     if begin not in document and end not in document:
         gap = "" if not document or document.endswith("\n\n") else "\n"
         return f"{document}{gap}{block}\n"
-    head, found, rest = document.partition(begin)
-    _, closed, tail = rest.partition(end)
-    if not found or not closed or end in head or begin in tail or end in tail:
+    head, _, rest = document.partition(begin)
+    tail = rest.partition(end)[2]
+    if document.count(begin) != 1 or document.count(end) != 1 or end in head:
         raise OutputError(f"the markers of {title!r} in the document do not pair")
     return head + block + tail
 
