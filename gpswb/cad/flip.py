@@ -14,14 +14,15 @@ from gpswb.core.mesh import BoolArray, FloatArray, IntArray
 _GAIN = 1e-6
 """Least gain (sum of opposite angles above pi, rad): equal diagonals must not flip for ever."""
 
+_LEAST_COSINE = 0.3
 _PER_TRIANGLE = ("triangles", "face", "uv", "normal", "edge", "side", "ends", "free")
 
 
 def flip(mesh: Tessellation, fresh: BoolArray | None = None, rounds: int = 12) -> Tessellation:
     """Flip sides inside faces until Delaunay (opposite angles in space sum to at most pi).
 
-    A flip is made only where the two new triangles keep their orientation in parameter space and in
-    space; sides on B-rep edges and triangles at poles stay as they are.
+    A flip is made only where the two new triangles keep their orientation in parameter space and
+    agree with the exact normals; sides on B-rep edges stay as they are.
 
     Args:
         mesh: the tessellation.
@@ -62,8 +63,7 @@ def _pairs(mesh: Tessellation) -> tuple[IntArray, IntArray]:
     start = np.cumsum(np.r_[0, sides.count[:-1]])[sides.count == 2]
     first, second = order[start], order[start + 1]
     rim = mesh.edge.ravel() >= 0
-    pole = (mesh.free > 0).any(axis=1)
-    good = ~rim[first] & ~pole[first // 3] & ~pole[second // 3]
+    good = ~rim[first]
     return first[good], second[good]
 
 
@@ -85,12 +85,12 @@ def _choose(mesh: Tessellation, first: IntArray, second: IntArray) -> BoolArray:
     old = _area(ua, ub, uc) + _area(ub, ua, uv_d)
     new1, new2 = _area(ua, uv_d, uc), _area(uv_d, ub, uc)
     least = 1e-3 * np.abs(old)
-    turned = (np.sign(old) * new1 > least) & (np.sign(old) * new2 > least)
-    normal = np.cross(b - a, c - a) + np.cross(a - b, d - b)
-    agree = (np.einsum("ij,ij->i", normal, np.cross(d - a, c - a)) > 0) & (
-        np.einsum("ij,ij->i", normal, np.cross(b - d, c - d)) > 0
-    )
-    wanted = (gain > _GAIN) & turned & agree & (apex != ids[:, 2])
+    # At a pole one parameter means nothing: there the exact normals decide alone.
+    pole = (mesh.free > 0).any(axis=1)
+    valid = (np.sign(old) * new1 > least) & (np.sign(old) * new2 > least) | pole[t1] | pole[t2]
+    normal = mesh.normal[t1].mean(axis=1) + mesh.normal[t2].mean(axis=1)
+    valid &= _agrees(normal, d - a, c - a) & _agrees(normal, b - d, c - d)
+    wanted = (gain > _GAIN) & valid & (apex != ids[:, 2])
     # A triangle takes part in its best flip only.
     best = np.zeros(len(mesh.triangles))
     worth = np.where(wanted, gain, 0.0)
@@ -129,6 +129,14 @@ def _apply(mesh: Tessellation, first: IntArray, second: IntArray) -> Tessellatio
         array[t2] = np.stack([db, bc, none], axis=1)
         out[name] = array
     return replace(mesh, **out)
+
+
+def _agrees(normal: FloatArray, x: FloatArray, y: FloatArray) -> BoolArray:
+    """Whether the triangle on x and y looks the same way as the normal, within about 70 degrees."""
+    cross = np.cross(x, y)
+    bound = _LEAST_COSINE * np.linalg.norm(cross, axis=1) * np.linalg.norm(normal, axis=1)
+    dot: FloatArray = np.einsum("ij,ij->i", normal, cross)
+    return (dot > bound) & (dot > 0)
 
 
 def _angle(p: FloatArray, q: FloatArray, r: FloatArray) -> FloatArray:

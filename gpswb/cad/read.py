@@ -27,7 +27,7 @@ from gpswb.errors import InputError, KernelError
 Kernel = Literal["ocp", "freecad"]
 Progress = Callable[[str, float], None]
 
-AUTO_TURN = 28
+AUTO_TURN = 24
 """Elements per full turn for density `auto`."""
 AUTO_DIVISIONS = 8
 """Least number of elements across any curved face for density `auto`."""
@@ -38,7 +38,7 @@ _START_DEFLECTION = 0.004
 doesn't resolve edges below a tenth of it, so the angle alone can't be relied upon."""
 _ARC_FACTOR = 1.95
 """BRepMesh cuts a full arc into sides of about half its angular deflection [measured]."""
-_CAP = 300_000
+_CAP = 250_000
 
 
 def read_solid(

@@ -21,6 +21,8 @@ _SLACK = 1.4
 _STRETCH = 2.5
 """How much longer than the spacing a side on a curved face may be: along the direction of least
 curvature it needs no more vertices, and more than this would make slivers."""
+_FEWEST = 3
+"""Least number of sides across the longest of strips: two vertices between its borders."""
 _SMALLEST = 1 / 32
 """No curvature asks for a spacing below this fraction of the face's width: an apex has no end."""
 
@@ -118,7 +120,7 @@ class Sizing:
                 limit = rule.max_turn / np.maximum(curvature, 1e-12)
                 limit = np.maximum(limit, _SMALLEST * width)
             if rule.divisions and width > 0:
-                limit = np.minimum(limit, width / rule.divisions)
+                limit = np.minimum(limit, width / self._divisions(f)[0])
             self._spacing[vertex] = np.minimum(self._spacing[vertex], limit)
 
     def _detail(
@@ -133,6 +135,8 @@ class Sizing:
         if not self._rule.divisions or arcs is None:
             return size
         low, high = np.array(face.bounds[0::2]), np.array(face.bounds[1::2])
+        across, along = self._divisions(f)
+        narrow = int(arcs[1][-1] < arcs[0][-1])
         for axis, table in enumerate(arcs):
             if table[-1] <= 0 or high[axis] <= low[axis]:
                 continue
@@ -140,8 +144,19 @@ class Sizing:
             a, b = (np.interp(x[..., axis], grid, table) for x in (uv, other))
             # Lines of a parameter grow shorter towards a pole: the side's own length bounds them.
             extent = np.minimum(np.abs(a - b), length)
-            size = np.maximum(size, extent * self._rule.divisions / table[-1])
+            size = np.maximum(size, extent * (across if axis == narrow else along) / table[-1])
         return size
+
+    def _divisions(self, f: int) -> tuple[float, float]:
+        """Least number of sides across and along a face: fewer across a long narrow strip, which
+        has triangles enough."""
+        arcs, wanted = self._arcs[f], self._rule.divisions
+        if not wanted or arcs is None:
+            return 0.0, 0.0
+        lengths = sorted((arcs[0][-1], arcs[1][-1]))
+        slenderness = lengths[1] / max(lengths[0], 1e-12)
+        across = max(_FEWEST, wanted * math.sqrt(min(1.0, wanted / slenderness)))
+        return min(across, wanted), wanted
 
 
 def _curved(face: BrepFace) -> bool:
