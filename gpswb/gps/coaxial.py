@@ -22,8 +22,9 @@ def coaxial_features(
 ) -> list[GpsFeature]:
     """Groups of two or more holes, shafts, cones and threads on one axis; stepped and sunk holes.
 
-    A counterbore is a hole with a wider one at its end; a countersink has a cone that opens from the
-    hole's own diameter (a drill's point closes from it). A group that is nothing more isn't repeated.
+    A counterbore is a hole with a wider one at its end; a countersink has a cone that opens from
+    the hole's own diameter (a drill's point closes from it). A group that is nothing more isn't
+    repeated.
     """
     round_ = [f for f in features if f.surface == "helicoid" or (f.size and f.place.has_axis)]
     found: list[tuple[Kind, list[GpsFeature]]] = []
@@ -33,7 +34,7 @@ def coaxial_features(
             found.append(("coaxial group", group))
         found += sunk
     counts: dict[Kind, int] = {}
-    compounds = []
+    compounds: list[GpsFeature] = []
     for kind, members in found:
         counts[kind] = counts.get(kind, 0) + 1
         compounds.append(

@@ -16,7 +16,7 @@ from gpswb.gps.twists import Frame
 def compound_features(
     features: Sequence[GpsFeature], frame: Frame, tolerances: Tolerances = DEFAULT
 ) -> tuple[GpsFeature, ...]:
-    """Slots, ribs, coaxial groups, counterbores, countersinks and patterns, ids after the features'.
+    """Slots, ribs, coaxial groups, sunk holes and patterns; their ids follow the features'.
 
     Args:
         features: the maximal integral features of a part.

@@ -85,7 +85,7 @@ class DatumSystem:
     @property
     def degrees(self) -> int:
         """Degrees of freedom locked, 0 to 6."""
-        return 6 - self.free.shape[1]
+        return 6 - int(self.free.shape[1])
 
     @property
     def redundant(self) -> tuple[str, ...]:

@@ -5,6 +5,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+import numpy as np
+
 from gpswb.core.mesh import FloatArray
 from gpswb.gps.datum_system import DatumSystem, Freedom, Lock
 from gpswb.gps.gps_feature import GpsFeature
@@ -75,15 +77,19 @@ def _explain_lock(lock: Lock) -> str:
 
 
 def _along(directions: FloatArray, word: str) -> str:
-    """One direction, two as all in a plane, three as any."""
-    if len(directions) == 3:
-        return "in any direction" if word == "along" else "about any axis"
-    return f"{word} " + " and ".join(direction_name(d) for d in directions)
+    """One direction, all those in a plane, or any."""
+    if len(directions) == 1:
+        return f"{word} {direction_name(directions[0])}"
+    if len(directions) == 2:
+        return f"{word} any direction perpendicular to {direction_name(np.cross(*directions))}"
+    return f"{word} any direction"
 
 
 def direction_name(direction: Sequence[float] | FloatArray) -> str:
-    """X, Y or Z where it is one of these, else its components."""
+    """X, Y or Z where it is one of these, else its components; the sense doesn't matter."""
     for name, component in zip("XYZ", direction, strict=True):
         if abs(component) > 1 - 1e-6:
             return name
-    return "(" + ", ".join(f"{component:.3g}" for component in direction) + ")"
+    components = np.round(direction, 3) + 0.0
+    sense = np.sign(components[np.flatnonzero(components)[0]])
+    return "(" + ", ".join(f"{component:g}" for component in sense * components + 0.0) + ")"

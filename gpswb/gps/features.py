@@ -11,8 +11,9 @@ import numpy as np
 from gpswb.core.mesh import FloatArray, IntArray, Mesh
 from gpswb.core.partition import Partition, Region
 from gpswb.errors import InputError
+from gpswb.gps.alignment import align
 from gpswb.gps.gps_feature import GpsFeature, Material, Size
-from gpswb.gps.same_surface import cylindrical_coordinates, same_surface
+from gpswb.gps.same_surface import same_surface
 from gpswb.gps.tolerances import DEFAULT, Tolerances
 from gpswb.gps.twists import SituationFeature, perpendiculars, vector
 
@@ -110,20 +111,18 @@ def maximal_features(
     united.sort(key=lambda patch: -sum(region.area for region in patch.regions))
     counts: Counter[str] = Counter()
     named: set[str] = set()
-    features = []
+    features: list[GpsFeature] = []
     for patch in united:
         names = [name for r in patch.regions for name in (faces or {}).get(r.id, ())]
         own = tuple(name for name in dict.fromkeys(names) if name not in named)
         named.update(own)
         features.append(_feature(len(features), patch, own, counts, tolerances))
-    return tuple(features)
+    return align(features, mesh.diagonal, tolerances)
 
 
 def _check(region: Region) -> None:
     lacking = [k for k in _NEEDS[region.invariance_class] if k not in region.situation]
     lacking += [k for k in _SIZES.get(region.surface, ()) if k not in region.intrinsic]
-    if region.invariance_class == "helical" and "lead" not in region.intrinsic:
-        lacking.append("lead")
     if lacking:
         raise InputError(
             f"region {region.id} is {region.invariance_class} but has no {' or '.join(lacking)}"
@@ -190,7 +189,7 @@ def _feature(
     situation = dict(region.situation)
     middle = np.average(points, axis=0)
     if region.surface == "plane":
-        situation["normal"] = patch.normal.tolist()
+        situation["normal"] = (patch.normal + 0.0).tolist()
     area = sum(r.area for r in patch.regions)
     size, derived = _size(patch, area, tolerances)
     word = {
@@ -214,7 +213,8 @@ def _feature(
         faces=faces,
         area=area,
         interrupted=patch.interrupted,
-        sure=not region.undecided,
+        # Few facets leave everything open; but a flat region is a plane, not a piece of a sphere.
+        sure=not region.undecided or region.surface == "plane",
         points=points,
     )
 

@@ -89,7 +89,7 @@ class GpsFeature:
 
     @property
     def place(self) -> SituationFeature:
-        """The situation feature of an integral feature, slot or rib; the first member's of a group."""
+        """The situation feature; of a group the first member's."""
         return self.situations[0]
 
     @property
@@ -112,7 +112,7 @@ def group_of(
     derived: str,
     arrangement: str = "",
 ) -> GpsFeature:
-    """A compound that has its members' regions, faces, area and, where they agree, material side."""
+    """A compound with its members' regions, faces, area and, where they agree, material side."""
     sides = {member.material for member in members}
     return GpsFeature(
         id=id_,

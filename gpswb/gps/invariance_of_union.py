@@ -75,7 +75,7 @@ def situation_of(
 
 def _unit(v: FloatArray) -> FloatArray:
     v = v / np.linalg.norm(v)
-    # One sense for both: the largest component is positive, so the answer doesn't flip with rounding.
+    # One sense for both: the largest component is positive.
     return v if v[np.argmax(np.abs(v).round(6))] > 0 else -v
 
 

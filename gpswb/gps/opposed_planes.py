@@ -25,8 +25,8 @@ def opposed_planes(
 ) -> list[GpsFeature]:
     """Pairs of parallel planes with opposite outward normals that face each other.
 
-    With the air between them they are a slot, with the material between them a rib. A plane is paired
-    with the nearest that it faces, so a wall isn't paired through the next slot.
+    With air between them they are a slot, with material between them a rib. A plane is paired with
+    the nearest that it faces, so a wall isn't paired through the next slot.
 
     Args:
         features: maximal integral features; those of ids ``first_id`` and on are returned.
@@ -54,7 +54,7 @@ def opposed_planes(
             pairs[first.id, second.id] = (first, second, gap if inside else -gap)
     found = sorted(pairs.values(), key=lambda pair: -(pair[0].area + pair[1].area))
     counts = {"slot": 0, "rib": 0}
-    compounds = []
+    compounds: list[GpsFeature] = []
     for first, second, gap in found:
         kind = "slot" if gap > 0 else "rib"
         counts[kind] += 1

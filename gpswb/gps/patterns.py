@@ -26,7 +26,11 @@ def hole_patterns(
     The arrangement is linear, circle, grid, or free where it is none of these; ``intrinsic`` gives
     count, diameter and the pitches or the pitch circle (mm).
     """
-    round_ = [f for f in features if f.surface == "cylinder" and f.size and len(f.points)]
+    round_ = [
+        f
+        for f in features
+        if f.surface == "cylinder" and f.size and f.material != "neither" and len(f.points)
+    ]
     groups: list[list[GpsFeature]] = []
     for feature in sorted(round_, key=lambda f: f.id):
         for group in groups:

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from math import cos, sin
 from typing import Literal
 
 import numpy as np
@@ -21,8 +22,8 @@ class Relation:
     """A feature against a datum system.
 
     Args:
-        orientations: the characteristic that fits the angle to each datum with a direction, in order.
-        angle_deg: to the first such datum, 0 to 90.
+        orientations: the characteristics that fit the angles to the datums, in order.
+        angle_deg: to the first datum with a direction, 0 to 90.
         coaxial: its axis is a datum axis. ``turning``: it is a surface of revolution about one.
         concentric: its centre is a datum point or on a datum axis.
         symmetric: its median plane or axis lies in a datum's plane or axis.
@@ -93,7 +94,7 @@ def _contains(datum: SituationFeature, own: SituationFeature, near: float, angle
     normal = np.array(planes[0].direction)
     if abs(float(normal @ np.subtract(other.point, planes[0].point))) > near:
         return False
-    slant = abs(float(normal @ other.direction))
+    slant = abs(float(normal @ np.array(other.direction)))
     if len(planes) == 2:
-        return slant >= np.cos(angle)
-    return not other.directed or slant <= np.sin(angle)
+        return slant >= cos(angle)
+    return not other.directed or slant <= sin(angle)

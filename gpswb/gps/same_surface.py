@@ -18,22 +18,26 @@ def distance_to_surface(region: Region, own: FloatArray, points: FloatArray) -> 
         own: (n, 3) the region's vertices, which give a cone its radius along the axis.
     """
     situation, intrinsic = region.situation, region.intrinsic
+    signed: FloatArray
     if region.surface == "plane":
-        normal, point = np.array(situation["normal"]), np.array(situation["point"])
-        return np.abs((points - point) @ normal)
-    if region.surface == "sphere":
-        away = np.linalg.norm(points - situation["point"], axis=1)
-        return np.abs(away - intrinsic["radius"])
-    if region.surface not in ("cylinder", "cone", "torus"):
+        signed = (points - np.array(situation["point"])) @ np.array(situation["normal"])
+    elif region.surface == "sphere":
+        signed = np.linalg.norm(points - situation["point"], axis=1) - intrinsic["radius"]
+    elif region.surface in ("cylinder", "cone", "torus"):
+        rho, z = cylindrical_coordinates(points, situation["point"], situation["direction"])
+        if region.surface == "cylinder":
+            signed = rho - intrinsic["radius"]
+        elif region.surface == "torus":
+            signed = np.hypot(rho - intrinsic["major_radius"], z) - intrinsic["minor_radius"]
+        else:
+            own_rho, own_z = cylindrical_coordinates(
+                own, situation["point"], situation["direction"]
+            )
+            slope, start = np.polyfit(own_z, own_rho, 1)
+            signed = (rho - slope * z - start) / float(np.hypot(1.0, slope))
+    else:
         return None
-    rho, z = cylindrical_coordinates(points, situation["point"], situation["direction"])
-    if region.surface == "cylinder":
-        return np.abs(rho - intrinsic["radius"])
-    if region.surface == "torus":
-        return np.abs(np.hypot(rho - intrinsic["major_radius"], z) - intrinsic["minor_radius"])
-    own_rho, own_z = cylindrical_coordinates(own, situation["point"], situation["direction"])
-    slope, start = np.polyfit(own_z, own_rho, 1)
-    return np.abs(rho - slope * z - start) / float(np.hypot(1.0, slope))
+    return np.abs(signed)
 
 
 def cylindrical_coordinates(

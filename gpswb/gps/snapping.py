@@ -20,9 +20,9 @@ def snap_directions(
 ) -> tuple[SituationFeature, ...]:
     """Turn each direction by at most ``angle`` (rad) to agree with those before it.
 
-    Two planes 0.05° from parallel are meant parallel; left alone their union is prismatic instead of
-    planar. Earlier features never move, so a datum keeps its direction whatever is compared with it.
-    Order them by trust: datum precedence, or area.
+    Two planes 0.05° from parallel are meant parallel; left alone their union is prismatic instead
+    of planar. Earlier features never move, so a datum keeps its direction whatever is compared with
+    it. Order them by trust: datum precedence, or area.
     """
     near = float(np.sin(angle))
     seen: list[FloatArray] = []

@@ -125,12 +125,9 @@ def _recommended(feature: GpsFeature, kind: Family, stands: Relation | None) -> 
         return "circular run-out" if kind in ("cone", "revolute") else "coaxiality"
     if kind == "opposed planes" and stands.symmetric:
         return "symmetry"
-    sized = kind in ("sphere", "opposed planes", "group", "helical")
-    if not sized and feature.size is None or kind == "cone":
-        located: Characteristic = "surface profile"
-    else:
-        located = "position"
-    if stands.freedom.located or not stands.freedom.oriented or not stands.orientations:
+    centred = feature.of_linear_size or kind in ("group", "helical")
+    located: Characteristic = "position" if centred else "surface profile"
+    if stands.freedom.located or not stands.orientations:
         return located
     return stands.orientations[0]
 
@@ -161,7 +158,7 @@ def _judge(
     if name == "symmetry" and not stands.symmetric:
         return (
             "not allowed",
-            "its median feature isn't in a datum plane or on an axis: use position",
+            "its median feature isn't that of a datum: use position",
         )
     if rule.group == "run-out":
         return "allowed", "it turns about the datum axis"

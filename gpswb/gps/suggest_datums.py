@@ -36,10 +36,10 @@ def suggest_datums(
 ) -> tuple[Suggestion, ...]:
     """The best complete datum system and, where there is one, the runner-up.
 
-    Letter after letter takes the feature that scores most: its area times the degrees of freedom it
-    adds, times how well its kind stands on a fixture or gauge. So a plate gets planes 3+2+1, a flange
-    its face, bore and a hole, a shaft its longest bearing and a shoulder, which stops at 5. No letter
-    is without gain.
+    Letter after letter takes the feature that scores most: its area times the degrees of freedom
+    it adds, times how well its kind stands on a fixture or gauge. So a plate gets planes 3+2+1, a
+    flange its face, bore and a hole, a shaft its longest bearing and a shoulder, which stops at 5.
+    No letter is without gain.
 
     Args:
         features: integral features and compounds of the part.

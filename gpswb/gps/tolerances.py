@@ -13,7 +13,7 @@ class Tolerances:
 
     Args:
         angle: rad; directions closer than this to parallel, perpendicular or coplanar are made
-            exactly so. Above what recognition loses, below the smallest draft that is drawn (0.25°).
+            exactly so. Above what recognition loses, below the smallest draft drawn (0.25°).
         distance: of the frame's length; smaller offsets are none. Also the rank tolerance.
         pitch: of the frame's length; a screw with less is a rotation. Directions are exact after
             snapping, so this only has to stand above rounding, and a fine thread above it.

@@ -25,8 +25,8 @@ def vector(values: Sequence[float] | FloatArray) -> Vector:
 class SituationFeature:
     """Where an ideal feature is: its class with the point, line or plane that situates it.
 
-    ``direction`` (unit) is the normal of a planar, the axis of a cylindrical, revolute or helical and
-    the generator of a prismatic feature; ``point`` lies on it. ``lead`` (signed, right-handed
+    ``direction`` (unit) is the normal of a planar, the axis of a cylindrical, revolute or helical
+    and the generator of a prismatic feature; ``point`` lies on it. ``lead`` (signed, right-handed
     positive) belongs to helical alone. What a class doesn't use is ignored. (ISO 17450-1, 22432)
     """
 
@@ -69,9 +69,9 @@ class Frame:
 def perpendiculars(direction: Sequence[float] | FloatArray) -> tuple[FloatArray, FloatArray]:
     """Unit u, w with (u, w, direction) right-handed and orthonormal; ``direction`` unit."""
     d = np.asarray(direction, dtype=np.float64)
-    u = np.cross(np.eye(3)[np.argmin(np.abs(d))], d)
-    u /= np.linalg.norm(u)
-    return u, np.cross(d, u)
+    across = np.cross(np.eye(3)[np.argmin(np.abs(d))], d)
+    u: FloatArray = np.asarray(across / np.linalg.norm(across), dtype=np.float64)
+    return u, np.asarray(np.cross(d, u), dtype=np.float64)
 
 
 def rotation_row(e: FloatArray) -> FloatArray:
@@ -160,7 +160,7 @@ def translations_of(free: FloatArray) -> FloatArray:
 
 
 def beyond(inner: FloatArray, outer: FloatArray) -> FloatArray:
-    """Orthonormal rows of the space ``outer`` (n, 3) perpendicular to its subspace ``inner`` (m, 3)."""
+    """Orthonormal rows of the space of ``outer`` (n, 3) perpendicular to the rows ``inner``."""
     rest = outer - outer @ inner.T @ inner
     _, singular, vt = np.linalg.svd(np.vstack([rest, np.zeros((3, 3))]), full_matrices=False)
     kept: FloatArray = vt[singular > 0.5]

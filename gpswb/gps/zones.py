@@ -21,10 +21,8 @@ def zone_shape(characteristic: Characteristic, kind: Family) -> tuple[str, str]:
     if characteristic in _FIXED:
         return _FIXED[characteristic], ""
     if characteristic == "straightness":
-        lines = "between two parallel straight lines for each line element"
-        return (
-            lines + ", or a cylinder Ø for the median line" if kind == "cylinder" else lines
-        ), ""
+        median = ", or a cylinder Ø for the median line" if kind == "cylinder" else ""
+        return f"between two parallel straight lines for each line element{median}", ""
     if characteristic == "circular run-out":
         if kind == "plane":
             return "between two equal circles on each cylinder about the datum axis", ""

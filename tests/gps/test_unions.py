@@ -51,11 +51,14 @@ def helix(p, d, lead):
     return SituationFeature("helical", p, d, lead)
 
 
-O, P, Q = (0.0, 0.0, 0.0), (20.0, 0.0, 0.0), (0.0, 30.0, 10.0)
-HEX = [plane((np.cos(a), np.sin(a), 0.0), (np.cos(a), np.sin(a), 0.0)) for a in np.arange(6) * np.pi / 3]
+ORIGIN, P, Q = (0.0, 0.0, 0.0), (20.0, 0.0, 0.0), (0.0, 30.0, 10.0)
+HEX = [
+    plane((np.cos(a), np.sin(a), 0.0), (np.cos(a), np.sin(a), 0.0))
+    for a in np.arange(6) * np.pi / 3
+]
 
 UNIONS = [
-    ("one plane", [plane(O, Z)], "planar"),
+    ("one plane", [plane(ORIGIN, Z)], "planar"),
     ("one cylinder", [cylinder(P, Z)], "cylindrical"),
     ("one sphere", [sphere(1.0, 2.0, 3.0)], "spherical"),
     ("one cone", [cone(P, OBLIQUE)], "revolute"),
@@ -63,45 +66,55 @@ UNIONS = [
     ("one thread", [helix(P, Z, 1.5)], "helical"),
     ("one left-hand thread", [helix(P, Z, -1.5)], "helical"),
     ("one freeform surface", [SituationFeature("complex")], "complex"),
-    ("parallel planes", [plane(O, Z), plane(Q, (0.0, 0.0, -1.0))], "planar"),
-    ("two secant planes", [plane(O, Z), plane(O, X)], "prismatic"),
-    ("wedge", [plane(O, Z), plane(O, OBLIQUE)], "prismatic"),
+    ("parallel planes", [plane(ORIGIN, Z), plane(Q, (0.0, 0.0, -1.0))], "planar"),
+    ("two secant planes", [plane(ORIGIN, Z), plane(ORIGIN, X)], "prismatic"),
+    ("wedge", [plane(ORIGIN, Z), plane(ORIGIN, OBLIQUE)], "prismatic"),
     ("hexagon sides", HEX, "prismatic"),
-    ("three planes at a corner", [plane(O, X), plane(O, Y), plane(O, Z)], "complex"),
-    ("hexagon sides and end", [*HEX, plane(O, Z)], "complex"),
-    ("plane ⟂ cylinder", [plane(O, Z), cylinder(P, Z)], "revolute"),
-    ("plane ∥ cylinder", [plane(O, X), cylinder(P, Z)], "prismatic"),
-    ("plane oblique to cylinder", [plane(O, OBLIQUE), cylinder(P, Z)], "complex"),
+    ("three planes at a corner", [plane(ORIGIN, X), plane(ORIGIN, Y), plane(ORIGIN, Z)], "complex"),
+    ("hexagon sides and end", [*HEX, plane(ORIGIN, Z)], "complex"),
+    ("plane ⟂ cylinder", [plane(ORIGIN, Z), cylinder(P, Z)], "revolute"),
+    ("plane ∥ cylinder", [plane(ORIGIN, X), cylinder(P, Z)], "prismatic"),
+    ("plane oblique to cylinder", [plane(ORIGIN, OBLIQUE), cylinder(P, Z)], "complex"),
     ("coaxial cylinders", [cylinder(P, Z), cylinder((20.0, 0.0, 40.0), Z)], "cylindrical"),
-    ("parallel cylinders", [cylinder(O, Z), cylinder(P, Z)], "prismatic"),
-    ("crossing cylinders", [cylinder(O, Z), cylinder(O, X)], "complex"),
-    ("skew cylinders", [cylinder(O, Z), cylinder(Q, X)], "complex"),
-    ("four holes and their face", [*(cylinder((x, y, 0.0), Z) for x in (0.0, 9.0) for y in (0.0, 7.0)), plane(O, Z)], "complex"),
+    ("parallel cylinders", [cylinder(ORIGIN, Z), cylinder(P, Z)], "prismatic"),
+    ("crossing cylinders", [cylinder(ORIGIN, Z), cylinder(ORIGIN, X)], "complex"),
+    ("skew cylinders", [cylinder(ORIGIN, Z), cylinder(Q, X)], "complex"),
+    (
+        "four holes and their face",
+        [*(cylinder((x, y, 0.0), Z) for x in (0.0, 9.0) for y in (0.0, 7.0)), plane(ORIGIN, Z)],
+        "complex",
+    ),
     ("concentric spheres", [sphere(*Q), sphere(*Q)], "spherical"),
-    ("two spheres", [sphere(*O), sphere(*Q)], "revolute"),
-    ("three spheres", [sphere(*O), sphere(*P), sphere(*Q)], "complex"),
-    ("three spheres in line", [sphere(*O), sphere(*P), sphere(-7.0, 0.0, 0.0)], "revolute"),
-    ("sphere and plane", [sphere(*Q), plane(O, Z)], "revolute"),
+    ("two spheres", [sphere(*ORIGIN), sphere(*Q)], "revolute"),
+    ("three spheres", [sphere(*ORIGIN), sphere(*P), sphere(*Q)], "complex"),
+    ("three spheres in line", [sphere(*ORIGIN), sphere(*P), sphere(-7.0, 0.0, 0.0)], "revolute"),
+    ("sphere and plane", [sphere(*Q), plane(ORIGIN, Z)], "revolute"),
     ("sphere on a cylinder's axis", [sphere(20.0, 0.0, 9.0), cylinder(P, Z)], "revolute"),
-    ("sphere beside a cylinder", [sphere(*O), cylinder(P, Z)], "complex"),
+    ("sphere beside a cylinder", [sphere(*ORIGIN), cylinder(P, Z)], "complex"),
     ("cone and coaxial cylinder", [cone(P, Z), cylinder((20.0, 0.0, 9.0), Z)], "revolute"),
-    ("cone and parallel cylinder", [cone(O, Z), cylinder(P, Z)], "complex"),
-    ("cone and plane ⟂ axis", [cone(P, Z), plane(O, Z)], "revolute"),
-    ("cone and plane ∥ axis", [cone(P, Z), plane(O, X)], "complex"),
-    ("coaxial cones", [cone(O, Z), cone((0.0, 0.0, 9.0), (0.0, 0.0, -1.0))], "revolute"),
-    ("extrusion and plane along it", [prism(Z), plane(O, X)], "prismatic"),
-    ("extrusion and plane across", [prism(Z), plane(O, Z)], "complex"),
+    ("cone and parallel cylinder", [cone(ORIGIN, Z), cylinder(P, Z)], "complex"),
+    ("cone and plane ⟂ axis", [cone(P, Z), plane(ORIGIN, Z)], "revolute"),
+    ("cone and plane ∥ axis", [cone(P, Z), plane(ORIGIN, X)], "complex"),
+    ("coaxial cones", [cone(ORIGIN, Z), cone((0.0, 0.0, 9.0), (0.0, 0.0, -1.0))], "revolute"),
+    ("extrusion and plane along it", [prism(Z), plane(ORIGIN, X)], "prismatic"),
+    ("extrusion and plane across", [prism(Z), plane(ORIGIN, Z)], "complex"),
     ("parallel extrusions", [prism(Z), prism(Z)], "prismatic"),
     ("extrusions in two directions", [prism(Z), prism(X)], "complex"),
     ("extrusion and parallel cylinder", [prism(Z), cylinder(Q, Z)], "prismatic"),
     ("helix and coaxial cylinder", [helix(P, Z, 1.5), cylinder(P, Z)], "helical"),
-    ("helix and parallel cylinder", [helix(P, Z, 1.5), cylinder(O, Z)], "complex"),
+    ("helix and parallel cylinder", [helix(P, Z, 1.5), cylinder(ORIGIN, Z)], "complex"),
     ("helices of one lead", [helix(P, Z, 3.0), helix((20.0, 0.0, 1.0), Z, 3.0)], "helical"),
     ("helices of two leads", [helix(P, Z, 3.0), helix(P, Z, 5.0)], "complex"),
-    ("helix and plane across", [helix(P, Z, 1.5), plane(O, Z)], "complex"),
-    ("shaft: cylinder, cone, ends, sphere", [cylinder(P, X), cone(P, X), plane(P, X), sphere(50.0, 0.0, 0.0)], "revolute"),
+    ("helix and plane across", [helix(P, Z, 1.5), plane(ORIGIN, Z)], "complex"),
+    (
+        "shaft: cylinder, cone, ends, sphere",
+        [cylinder(P, X), cone(P, X), plane(P, X), sphere(50.0, 0.0, 0.0)],
+        "revolute",
+    ),
 ]
-TABLE = pytest.mark.parametrize(("members", "expected"), [u[1:] for u in UNIONS], ids=[u[0] for u in UNIONS])
+TABLE = pytest.mark.parametrize(
+    ("members", "expected"), [u[1:] for u in UNIONS], ids=[u[0] for u in UNIONS]
+)
 
 
 def moved(feature, rotation, shift, unit):
@@ -140,7 +153,12 @@ def test_union_survives_half_a_tenth_of_a_degree(members, expected):
     """
     axes = np.array([X, Y, Z, OBLIQUE])
     tilted = [
-        replace(m, direction=vector(Rotation.from_rotvec(np.radians(0.05) * axes[i % 4]).apply(m.direction)))
+        replace(
+            m,
+            direction=vector(
+                Rotation.from_rotvec(np.radians(0.05) * axes[i % 4]).apply(m.direction)
+            ),
+        )
         for i, m in enumerate(members[1:])
     ]
     tilted = [members[0], *tilted]
@@ -169,19 +187,21 @@ def test_union_gives_axis_centre_and_lead():
     centre = invariance_of_union([sphere(7.0, 8.0, 9.0)] * 2, FRAME)
     assert np.allclose(centre.point, (7.0, 8.0, 9.0))
     for lead in (1.5, -0.35):
-        assert invariance_of_union([helix(P, Z, lead), cylinder(P, Z)], FRAME).lead == pytest.approx(lead)
+        assert invariance_of_union(
+            [helix(P, Z, lead), cylinder(P, Z)], FRAME
+        ).lead == pytest.approx(lead)
 
 
 def test_a_draft_of_a_quarter_degree_is_kept():
     a = np.radians(0.25)
-    walls = [plane(O, X), plane(P, (np.cos(a), 0.0, np.sin(a)))]
+    walls = [plane(ORIGIN, X), plane(P, (np.cos(a), 0.0, np.sin(a)))]
     assert invariance_of_union(walls, FRAME).invariance_class == "prismatic"
 
 
 @pytest.mark.parametrize(
     ("feature", "locks"),
     [
-        (plane(O, Z), (1, 2)),
+        (plane(ORIGIN, Z), (1, 2)),
         (cylinder(P, Z), (2, 2)),
         (sphere(1.0, 2.0, 3.0), (3, 0)),
         (cone(P, Z), (3, 2)),
