@@ -101,11 +101,25 @@ def write_docs(path: Path, rows: Sequence[PartRow], title: str, command: str) ->
     Raises:
         OutputError: the document can't be read or written, or its markers do not pair.
     """
+    write_whole(path, renew_section(_docs(path), title, corpus_section(rows, title, command)))
+
+
+def check_docs(path: Path, title: str) -> None:
+    """Find out before a long run what would keep `write_docs` from working after it.
+
+    Raises:
+        OutputError: the document can't be read, has no directory, or its markers do not pair.
+    """
+    renew_section(_docs(path), title, "")
+    if not path.parent.is_dir():
+        raise OutputError(f"can't write {path}: no such directory")
+
+
+def _docs(path: Path) -> str:
     try:
-        old = path.read_text(encoding="utf-8") if path.exists() else "# Validation\n\n"
+        return path.read_text(encoding="utf-8") if path.exists() else "# Validation\n\n"
     except (OSError, UnicodeDecodeError) as error:
         raise OutputError(f"can't read {path}: {error}") from error
-    write_whole(path, renew_section(old, title, corpus_section(rows, title, command)))
 
 
 def summary_lines(rows: Sequence[PartRow]) -> list[str]:

@@ -66,7 +66,7 @@ def register(verbs: argparse._SubParsersAction[argparse.ArgumentParser]) -> None
 
 def run(args: argparse.Namespace) -> int:
     """Do it; the exit code."""
-    from gpswb.cli.corpus_files import summary_lines, write_corpus, write_docs
+    from gpswb.cli.corpus_files import check_docs, summary_lines, write_corpus, write_docs
     from gpswb.cli.corpus_job import Limits
     from gpswb.io.whole import whole_directory
 
@@ -77,6 +77,8 @@ def run(args: argparse.Namespace) -> int:
     files = collect(args.paths)
     title = args.title or describe(settings)
     command = command_line(args, settings)
+    if args.docs:
+        check_docs(args.docs, title)
     with whole_directory(args.out, OWNED) as draft:
         rows = _examine_all(files, draft, settings, limits, args.jobs)
         names = write_corpus(draft, rows, settings, title, command, args.pictures)

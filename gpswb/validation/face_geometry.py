@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Set
 
 import numpy as np
 
@@ -37,8 +37,8 @@ class FaceGeometry:
         solid = (mesh.areas[a] > 0) & (mesh.areas[b] > 0) & (fa >= 0) & (fb >= 0)
         inside = solid & (fa == fb)
         self._pairs_inside = (a[inside], b[inside])
-        self._turn = np.zeros(f)
-        np.maximum.at(self._turn, fa[inside], angle[inside])
+        turn = np.zeros(f)
+        np.maximum.at(turn, fa[inside], angle[inside])
         across = solid & (fa != fb)
         low, high = np.minimum(fa, fb)[across], np.maximum(fa, fb)[across]
         pair, inverse = np.unique(low * f + high, return_inverse=True)
@@ -46,21 +46,16 @@ class FaceGeometry:
         start = np.searchsorted(inverse[order], np.arange(len(pair)))
         size = np.bincount(inverse, minlength=len(pair))
         median = angle[across][order[start + size // 2]] if len(pair) else np.zeros(0)
-        self._border = {
-            (int(key) // f, int(key) % f): float(value)
-            for key, value in zip(pair, median, strict=True)
-        }
+        one, two = np.divmod(pair, max(f, 1))
+        smooth = median <= np.maximum(TANGENT_DEG, np.maximum(turn[one], turn[two]))
+        self._tangent: list[set[int]] = [set() for _ in range(f)]
+        for i, j in zip(one[smooth].tolist(), two[smooth].tolist(), strict=True):
+            self._tangent[i].add(j)
+            self._tangent[j].add(i)
 
-    def tangent(self, i: int, j: int) -> bool:
-        """Faces ``i`` and ``j`` share a border at which the surface does not bend."""
-        angle = self._border.get((min(i, j), max(i, j)))
-        if angle is None:
-            return False
-        return bool(angle <= max(TANGENT_DEG, self._turn[i], self._turn[j]))
-
-    def tangent_to_any(self, i: int, others: Sequence[int]) -> bool:
-        """Face ``i`` is tangent to one of ``others``."""
-        return any(self.tangent(i, j) for j in others if j != i)
+    def tangent_to_any(self, i: int, others: Set[int]) -> bool:
+        """Face ``i`` shares a border at which the surface does not bend with one of ``others``."""
+        return not self._tangent[i].isdisjoint(others)
 
     def is_strip(self, i: int, turn_deg: float) -> bool:
         """One open row of triangles whose normals stay within ``turn_deg`` of one another."""

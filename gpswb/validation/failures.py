@@ -180,8 +180,8 @@ def _merged_kind(
     """Which merge put face ``i`` into one region with features ``others``; None for no merge."""
     own = match.overlap[main, feature]
     group = {int(match.features[c]) for c in others}
-    partners = [j for j in range(len(facemap.faces)) if int(facemap.feature_of_face[j]) in group]
-    tangent = any(geometry.tangent(i, j) for j in partners)
+    partners = {j for j in range(len(facemap.faces)) if int(facemap.feature_of_face[j]) in group}
+    tangent = geometry.tangent_to_any(i, partners)
     truth = facemap.faces[i].truth
     curved = truth is not None and truth.nominal != "planar"
     dominated = max(match.overlap[main, c] for c in others) > own
