@@ -12,12 +12,16 @@ from gpswb.core.core_facets import core_facets
 from gpswb.core.invariance import InvarianceClass
 from gpswb.core.mesh import BoolArray, FloatArray, IntArray, Mesh
 from gpswb.core.quotient import quotient_coordinates
-from gpswb.core.recognition import weigh
-from gpswb.core.reference import Reference
-from gpswb.core.region_samples import confined_normals, region_samples
+from gpswb.core.reference import Reference, estimate_references, spread
+from gpswb.core.region_samples import RegionSample, confined_normals, region_samples
 from gpswb.core.tolerances import Tolerances
 
 _SWEEPS = 10  # a border leaks by a row or two; ten rows are more than it ever takes
+_TRIMS = 4  # rounds of refitting without the quarter of the area that stands off most
+_KEPT = 0.75
+_MOST = 0.8  # share of a region's area that must lie on a surface to speak for the region
+
+_SAMPLES = 1000  # corners that a surface is fitted to
 
 _EXPLICIT: tuple[InvarianceClass, ...] = ("planar", "spherical", "cylindrical")
 
@@ -37,21 +41,21 @@ class _Surface:
         if self.name == "planar":
             return np.asarray(np.abs(ray @ self.reference.direction), dtype=np.float64)
         if self.name == "cylindrical":
-            ray = np.cross(ray, self.reference.direction)
-        rho: FloatArray = np.linalg.norm(ray, axis=1)
-        away: FloatArray = np.abs(rho - self.radius)
-        return away
+            across: FloatArray = np.cross(ray, self.reference.direction)
+            ray = across
+        rho = np.linalg.norm(ray, axis=1)
+        return np.asarray(np.abs(rho - self.radius), dtype=np.float64)
 
 
 def give_back(
     mesh: Mesh, region: IntArray, crease: BoolArray, sigma: float, tolerances: Tolerances
 ) -> IntArray:
-    """Move facets across smooth borders to the plane, sphere or cylinder that all their corners lie
-    on.
+    """Move facets across smooth borders to the surface that they lie on.
 
     Where two surfaces touch, normals at the border mix both, so the first row of the flatter one is
-    labelled with the rounder. A facet moves when its corners lie on the neighbour's surface and not
-    on its own region's.
+    labelled with the rounder. Regions that lie on a plane, sphere or cylinder for the most part get
+    that surface. A facet whose corners are off its own region's surface, or whose region has none,
+    moves to a neighbour whose surface it lies on; off its own surface, also to a neighbour without.
 
     Args:
         mesh: the mesh.
@@ -67,6 +71,8 @@ def give_back(
     surfaces = _surfaces(mesh, region, crease, sigma, tolerances)
     if not surfaces:
         return region
+    known = np.zeros(int(region.max(initial=-1)) + 1, dtype=bool)
+    known[list(surfaces)] = True
     pairs = mesh.facet_pairs[~crease]
     pairs = np.concatenate([pairs, pairs[:, ::-1]])
     for _ in range(_SWEEPS):
@@ -74,13 +80,15 @@ def give_back(
         across = pairs[(here != there) & (here >= 0) & (there >= 0)]
         if not len(across):
             break
-        facet, target = across[:, 0], region[across[:, 1]]
-        moved = _lies_on(mesh, facet, target, surfaces) & ~_lies_on(
-            mesh, facet, region[facet], surfaces
-        )
+        facet, own, target = across[:, 0], region[across[:, 0]], region[across[:, 1]]
+        off = ~_lies_on(mesh, facet, own, surfaces)
+        on = _lies_on(mesh, facet, target, surfaces)
+        moved = off & (on | (known[own] & ~known[target]))
         if not moved.any():
             break
-        region[facet[moved]] = target[moved]
+        # A neighbour whose surface fits comes last and so stays.
+        order = np.argsort(on[moved], kind="stable")
+        region[facet[moved][order]] = target[moved][order]
     return region
 
 
@@ -110,11 +118,32 @@ def _surfaces(
     for number, sample in enumerate(region_samples(mesh, core, count, normals)):
         if len(sample.facets) < tolerances.confident_facets:
             continue
-        evidence = weigh(sample, sigma, tolerances, _EXPLICIT)
-        name = next((n for n in _EXPLICIT if evidence.fits(n)), None)
-        if name is None:
-            continue
-        reference = evidence.references[name]
-        radius = float(quotient_coordinates(sample.vertices, name, reference).mean())
-        found[number] = _Surface(name, reference, radius, 2.0 * evidence.distance[name])
+        tolerance = max(3.0 * sigma, 2.0 * tolerances.distance * sample.size)
+        for name in _EXPLICIT:
+            surface = _trimmed_fit(sample, name, tolerance)
+            if surface is not None:
+                found[number] = surface
+                break
     return found
+
+
+def _trimmed_fit(sample: RegionSample, name: InvarianceClass, tolerance: float) -> _Surface | None:
+    """The surface of a class that most of a region's area lies on, if there is one."""
+    chosen = spread(len(sample.points), _SAMPLES)
+    points, normals = sample.points[chosen], sample.normals[chosen]
+    weights = sample.weights[chosen]
+    kept = np.ones(len(points), dtype=bool)
+    for _ in range(_TRIMS):
+        reference = estimate_references(points[kept], normals[kept], weights[kept])[name]
+        coordinate = quotient_coordinates(points, name, reference)[:, 0]
+        radius = float(np.average(coordinate[kept], weights=weights[kept]))
+        surface = _Surface(name, reference, radius, tolerance)
+        away = surface.distance(points)
+        near = float(weights[away <= tolerance].sum() / weights.sum())
+        if near >= _MOST:
+            return surface
+        order = np.argsort(away)
+        share = np.cumsum(weights[order]) / weights.sum()
+        kept = np.zeros(len(points), dtype=bool)
+        kept[order[: max(12, int(np.searchsorted(share, _KEPT)))]] = True
+    return None

@@ -12,6 +12,7 @@ from gpswb.core.merging import merge_regions
 from gpswb.core.mesh import BoolArray, FloatArray, IntArray, Mesh
 from gpswb.core.quadric_moments import quadric_moments
 from gpswb.core.region_samples import confined_normals
+from gpswb.core.sharp_edges import turning_angles
 from gpswb.core.slippage import facet_samples, slippage_moments
 from gpswb.core.slippage_rule import MergeLimits, MergeState, SlippageRule
 from gpswb.core.tolerances import Tolerances
@@ -35,8 +36,9 @@ def refine_regions(
         (m,) int64 refined regions (numbers with gaps); -1 for degenerate facets.
     """
     region = initial.copy()
-    for _ in range(_PASSES):
-        for k in (3, 2, 1, 0):
+    for last in range(_PASSES):
+        # Freeform pieces merge last of all: until borders are clean, any region may seem to be one.
+        for k in (3, 2, 1, 0) if last == _PASSES - 1 else (3, 2, 1):
             region = _merge(mesh, region, crease, k, sigma, tolerances)
         region = give_back(mesh, region, crease, sigma, tolerances)
         # A border moved may have cut a region in two, or joined pieces of one.
@@ -54,16 +56,17 @@ def _merge(
     tolerances: Tolerances,
 ) -> IntArray:
     count = int(region.max(initial=-1)) + 1
-    pairs = region[mesh.facet_pairs if k else mesh.facet_pairs[~crease]]
+    pairs = region[mesh.facet_pairs[~crease]]
     pairs = pairs[(pairs >= 0).all(axis=1) & (pairs[:, 0] != pairs[:, 1])]
     if not len(pairs):
         return region
     core = np.where(core_facets(mesh, region, crease), region, -1)
-    state = _moments(mesh, core, count, confined_normals(mesh, region, crease))
+    state = _state(mesh, core, count, confined_normals(mesh, region, crease))
     length = mesh.vertices[mesh.pair_edges]
     edge = float(np.sqrt(((length[:, 1] - length[:, 0]) ** 2).sum(axis=1).mean()))
     limits = MergeLimits(
         slippable=max(tolerances.slippable, 4.0 * (sigma / edge) ** 2),
+        coarse=tolerances.coarse,
         stand_off=max(tolerances.distance, 3.0 * sigma / mesh.diagonal),
         similarity=tolerances.similarity,
         signature_width=tolerances.signature_width,
@@ -73,7 +76,7 @@ def _merge(
     return np.where(region >= 0, kept[region], -1)
 
 
-def _moments(mesh: Mesh, label: IntArray, count: int, corner_normals: FloatArray) -> MergeState:
+def _state(mesh: Mesh, label: IntArray, count: int, corner_normals: FloatArray) -> MergeState:
     """Moments of each region in a frame centred in the mesh and scaled by its diagonal."""
     centre = 0.5 * (mesh.vertices.min(axis=0) + mesh.vertices.max(axis=0))
     scale = max(mesh.diagonal, 1e-300)
@@ -85,4 +88,14 @@ def _moments(mesh: Mesh, label: IntArray, count: int, corner_normals: FloatArray
     corners = (mesh.corners.reshape(-1, 3) - centre) / scale
     quadric = quadric_moments(corners, weights, np.repeat(label, 3), count)
     facets = np.bincount(label[label >= 0], minlength=count)
-    return MergeState(slippage.motion, slippage.metric, quadric, facets)
+    first, second = label[mesh.facet_pairs].T
+    inside = (first == second) & (first >= 0)
+    squared = turning_angles(mesh)[inside] ** 2
+    turning = np.stack(
+        [
+            np.bincount(first[inside], weights=squared, minlength=count),
+            np.bincount(first[inside], minlength=count).astype(np.float64),
+        ],
+        axis=1,
+    )
+    return MergeState(slippage.motion, slippage.metric, quadric, facets, turning)

@@ -12,6 +12,7 @@ from gpswb.core.quadric_moments import cylinder_stand_off, plane_stand_off, sphe
 from gpswb.core.similarity import signature_similarity
 from gpswb.core.slippage import SlippageMoments, slippable_motions
 
+_SMALL = 0.2  # a region of few facets may lose a motion to one five times its area
 _TINY = 1e-9  # least score of a merge that is allowed at all; confidences only order merges
 
 
@@ -23,19 +24,26 @@ class MergeState:
         motion, metric: (r, 6, 6) slippage moments M and V.
         quadric: (r, 10, 10) moments of the quadratic monomials of the vertices.
         facets: (r,) number of facets that the moments were taken over.
+        turning: (r, 2) sum of squared turning angles of the interior edges, and their number.
     """
 
     motion: FloatArray
     metric: FloatArray
     quadric: FloatArray
     facets: IntArray
+    turning: FloatArray
 
 
 @dataclass(frozen=True)
 class MergeLimits:
-    """Limits of one merging pass, as pure numbers in the frame of the moments."""
+    """Limits of one merging pass, as pure numbers in the frame of the moments.
+
+    A motion is slippable when mu <= slippable + coarse * mean squared turning angle: normals at a
+    border that mixes two surfaces are off by a share of the turning.
+    """
 
     slippable: float
+    coarse: float
     stand_off: float
     similarity: float
     signature_width: float
@@ -68,12 +76,16 @@ class SlippageRule:
             state.motion[first] + state.motion[second], state.metric[first] + state.metric[second]
         )
         mu, twist = slippable_motions(union)
-        joint = (mu <= limits.slippable).sum(axis=1)
-        each = [(self._mu[i] <= limits.slippable).sum(axis=1) for i in (first, second)]
-        sure = [state.facets[i] >= limits.confident_facets for i in (first, second)]
+        joint = (mu <= self._limit(state.turning[first] + state.turning[second])).sum(axis=1)
+        each = [self._slips(i).sum(axis=1) for i in (first, second)]
+        area = state.metric[:, 3, 3]
+        sure = [
+            (state.facets[one] >= limits.confident_facets) | (area[one] >= _SMALL * area[other])
+            for one, other in ((first, second), (second, first))
+        ]
         allowed = joint >= k
-        for motions, confident in zip(each, sure, strict=True):
-            allowed &= (motions >= k) & ~(confident & (motions > joint))
+        for motions, protected in zip(each, sure, strict=True):
+            allowed &= (motions >= k) & ~(protected & (motions > joint))
         if k == 0:
             allowed &= joint == 0
             return np.where(allowed, self._order(first, second), 0.0)
@@ -85,11 +97,22 @@ class SlippageRule:
     def join(self, kept: int, gone: int) -> None:
         """Add the moments and solve anew."""
         state = self._state
-        for array in (state.motion, state.metric, state.quadric, state.facets):
+        for array in (state.motion, state.metric, state.quadric, state.facets, state.turning):
             array[kept] += array[gone]
         moments = SlippageMoments(state.motion[[kept]], state.metric[[kept]])
         mu, twist = slippable_motions(moments)
         self._mu[kept], self._twist[kept] = mu[0], twist[0]
+
+    def _limit(self, turning: FloatArray) -> FloatArray:
+        """(p, 1) largest mu of a slippable motion."""
+        mean = turning[:, [0]] / np.maximum(turning[:, [1]], 1.0)
+        limit: FloatArray = self._limits.slippable + self._limits.coarse * mean
+        return limit
+
+    def _slips(self, index: IntArray) -> BoolArray:
+        """(p, 6) which motions of each region are slippable."""
+        slips: BoolArray = self._mu[index] <= self._limit(self._state.turning[index])
+        return slips
 
     def _order(self, first: IntArray, second: IntArray) -> FloatArray:
         """C(P_i) C(P_j): large regions merge first."""
@@ -103,7 +126,7 @@ class SlippageRule:
         lower = np.swapaxes(np.linalg.cholesky(metric + 1e-10 * np.eye(6)), 1, 2)
         bases = []
         for index in (first, second):
-            slips = self._mu[index, :3] <= self._limits.slippable
+            slips = self._slips(index)[:, :3]
             # Motions ascend in mu, so orthonormalising keeps the slippable span in front.
             basis = np.linalg.qr(lower @ self._twist[index, :, :3])[0]
             bases.append(basis * slips[:, None, :])

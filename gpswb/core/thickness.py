@@ -50,7 +50,7 @@ def refine_reference(
     """
     if invariance_class not in ("prismatic", "revolute", "helical") or len(points) < 12:
         return reference
-    if not np.isfinite(reference.lead):
+    if not np.isfinite(reference.lead) or (invariance_class == "helical" and reference.lead == 0):
         return reference
     best, least = reference, np.inf
     trial = reference

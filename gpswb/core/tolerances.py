@@ -43,6 +43,10 @@ class Tolerances:
     """Mean squared sine below which a motion counts as slippable on noise-free normals interpolated
     from corner normals (measured: 1e-20 to 6e-6 for true motions, 5e-4 for the least false one)."""
 
+    coarse: float = 0.05
+    """Added to ``slippable`` for each squared radian of a region's mean squared turning angle:
+    where a border mixes two surfaces, outermost normals are off by a quarter of the turning."""
+
     confident_facets: int = 12
     """Regions of fewer facets are ambiguous: a short strip of a cylinder lies on a sphere too."""
 
