@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Set
+from collections.abc import Set as AbstractSet
 
 import numpy as np
 
@@ -53,7 +53,7 @@ class FaceGeometry:
             self._tangent[i].add(j)
             self._tangent[j].add(i)
 
-    def tangent_to_any(self, i: int, others: Set[int]) -> bool:
+    def tangent_to_any(self, i: int, others: AbstractSet[int]) -> bool:
         """Face ``i`` shares a border at which the surface does not bend with one of ``others``."""
         return not self._tangent[i].isdisjoint(others)
 
