@@ -9,6 +9,7 @@ const regionOf = new Map(result.regions.map((region) => [region.id, region]));
 const CLASSES = report.classes;
 let views = null;
 let palette = "wheel";
+let chosen = null; // id of the region selected
 
 function make(tag, text, attributes = {}) {
   const node = document.createElement(tag);
@@ -59,7 +60,10 @@ function table(node, columns, rows, onpick, name) {
       if (onpick) {
         Object.assign(line, { className: "pick", tabIndex: 0, onclick: () => onpick(row) });
         line.onkeydown = (e) => { if (e.key === "Enter" || e.key === " ") { e.preventDefault(); onpick(row); } };
-        if (name) line.dataset.region = name(row);
+        if (name) {
+          line.dataset.region = name(row);
+          line.classList.toggle("chosen", name(row) === chosen);
+        }
       }
       return line;
     }));
@@ -185,8 +189,6 @@ function ranking(region, why) {
     if (line.cells[1].textContent === "not evaluated") line.cells[3].replaceChildren();
   }
 }
-
-let chosen = null;
 
 function choose(id) {
   chosen = id === chosen ? null : id;

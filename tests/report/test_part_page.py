@@ -136,6 +136,40 @@ def test_classes_are_drawn_in_their_colours(page_file: Path) -> None:
         assert like[:, 600:].sum() > 3000, name
 
 
+CLICKS = """
+<script>
+setTimeout(() => {
+  views.look("top");
+  const panel = document.querySelector('[data-view="class"]'), box = panel.getBoundingClientRect();
+  panel.setPointerCapture = () => {};
+  const found = [0, 1, 2, 3, 9].map((square) => {
+    // The row of four squares spans 1.75 / 2 of the panel's width.
+    const clientX = box.left + box.width * Math.min(0.5 + (square - 1.5) * 1.75 / 8, 0.98);
+    const clientY = box.top + box.height / 2;
+    for (const kind of ["pointerdown", "pointerup"])
+      panel.dispatchEvent(new PointerEvent(kind, { clientX, clientY, button: 0, pointerId: 1 }));
+    return chosen;
+  });
+  document.querySelectorAll("#regions thead button")[0].click();
+  found.push(document.querySelector("#regions tbody th").textContent);
+  document.querySelectorAll("#regions tbody tr")[1].click();
+  found.push(document.querySelector("#regions tr.chosen").dataset.region);
+  document.title = JSON.stringify(found);
+}, 2000);
+</script></body>"""
+
+
+def test_click_selects_the_region_under_it(page_file: Path) -> None:
+    clicked = page_file.with_name("clicked.html")
+    text = page_file.read_text("utf-8").replace("</body>", CLICKS)
+    clicked.write_text(text, encoding="utf-8")
+    done = chromium(page_file.parent, "--dump-dom", clicked.as_uri())
+    title = re.search("<title>(.*?)</title>", done.stdout)
+    assert title is not None
+    # Each square its region, the background none; sorted downwards region 3 stands first.
+    assert json.loads(title[1]) == [0, 1, 2, 3, None, "3", "2"]
+
+
 @given(hnp.arrays(np.int32, st.integers(0, 50), elements=st.integers(-(2**31), 2**31 - 1)))
 def test_packing_loses_nothing(values: np.ndarray) -> None:
     packed = pack(values)
