@@ -41,8 +41,7 @@ class _Surface:
         if self.name == "planar":
             return np.asarray(np.abs(ray @ self.reference.direction), dtype=np.float64)
         if self.name == "cylindrical":
-            across: FloatArray = np.cross(ray, self.reference.direction)
-            ray = across
+            ray = np.asarray(np.cross(ray, self.reference.direction), dtype=np.float64)
         rho = np.linalg.norm(ray, axis=1)
         return np.asarray(np.abs(rho - self.radius), dtype=np.float64)
 
@@ -134,7 +133,7 @@ def _trimmed_fit(sample: RegionSample, name: InvarianceClass, tolerance: float) 
     weights = sample.weights[chosen]
     kept = np.ones(len(points), dtype=bool)
     for _ in range(_TRIMS):
-        reference = estimate_references(points[kept], normals[kept], weights[kept])[name]
+        reference = estimate_references(points[kept], normals[kept], weights[kept], (name,))[name]
         coordinate = quotient_coordinates(points, name, reference)[:, 0]
         radius = float(np.average(coordinate[kept], weights=weights[kept]))
         surface = _Surface(name, reference, radius, tolerance)

@@ -113,9 +113,8 @@ def weigh(
     references = {
         name: refine_reference(sample.vertices, name, reference)
         for name, reference in estimate_references(
-            sample.points, sample.normals, sample.weights
+            sample.points, sample.normals, sample.weights, classes
         ).items()
-        if name in classes
     }
     on_surface = max(3.0 * sigma, tolerances.distance * sample.size)
     # A profile is known only through its chords: a tenth of their sagitta is left to it.

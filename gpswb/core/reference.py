@@ -3,12 +3,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 
 import numpy as np
 
-from gpswb.core.invariance import InvarianceClass
+from gpswb.core.invariance import CLASSES, InvarianceClass
 from gpswb.core.mesh import FloatArray, IntArray
 from gpswb.core.slippage import SlippageMoments, slippable_motions, slippage_moments
 
@@ -35,9 +35,12 @@ References = Mapping[InvarianceClass, Reference]
 
 
 def estimate_references(
-    points: FloatArray, normals: FloatArray, weights: FloatArray | None = None
+    points: FloatArray,
+    normals: FloatArray,
+    weights: FloatArray | None = None,
+    classes: Collection[InvarianceClass] = CLASSES,
 ) -> dict[InvarianceClass, Reference]:
-    """Best reference parameters of every class, whether or not the region belongs to it.
+    """Best reference parameters of each class, whether or not the region belongs to it.
 
     Normals give direction and position in closed form: eigenvectors of sum w n n^T for plane and
     prism, lines of normals for the sphere, the generalised slippage M x = mu V x for screws, the
@@ -46,6 +49,7 @@ def estimate_references(
 
     Args:
         points: (n, 3) mm; normals: (n, 3) unit; weights: (n,) areas, equal if not given.
+        classes: the classes wanted.
 
     Raises:
         ValueError: fewer than 3 points, or sizes that differ.
@@ -62,8 +66,7 @@ def estimate_references(
     centre = w @ p
     size = max(float(np.sqrt(w @ ((p - centre) ** 2).sum(axis=1))), 1e-300)
     q = (p - centre) / size
-    moments = slippage_moments(q, n, w, np.zeros(len(q), dtype=np.int64), 1)
-    found = _normalised_references(q, n, w, moments)
+    found = _normalised_references(q, n, w, classes)
     return {
         name: Reference(r.point * size + centre, r.direction, r.lead * size)
         for name, r in found.items()
@@ -77,10 +80,13 @@ def spread(n: int, limit: int) -> IntArray:
 
 def axis_frame(direction: FloatArray) -> FloatArray:
     """(3, 3) right-handed orthonormal frame as rows, the last one along the direction."""
-    d = direction / np.linalg.norm(direction)
-    u = np.cross(d, np.eye(3)[int(np.argmin(np.abs(d)))])
-    u /= np.linalg.norm(u)
-    return np.stack([u, np.cross(d, u), d])
+    x, y, z = (direction / np.linalg.norm(direction)).tolist()
+    # Branch on the sign of z only (Duff et al. 2017): no direction is near a singularity.
+    sign = 1.0 if z >= 0.0 else -1.0
+    a = -1.0 / (sign + z)
+    b = x * y * a
+    u = [1.0 + sign * x * x * a, sign * b, -sign * x]
+    return np.array([u, [b, sign + y * y * a, -y], [x, y, z]])
 
 
 def screw(twist: FloatArray) -> Reference:
@@ -99,8 +105,9 @@ def screw(twist: FloatArray) -> Reference:
 
 
 def _normalised_references(
-    q: FloatArray, n: FloatArray, w: FloatArray, moments: SlippageMoments
+    q: FloatArray, n: FloatArray, w: FloatArray, classes: Collection[InvarianceClass]
 ) -> dict[InvarianceClass, Reference]:
+    """References of centred points of unit radius of gyration."""
     origin = np.zeros(3)
     gauss = (n * w[:, None]).T @ n
     along, mean_normal = np.linalg.eigh(gauss)[1][:, [0, 2]].T
@@ -110,28 +117,29 @@ def _normalised_references(
     normal = np.linalg.eigh(scatter / width + np.trace(gauss) * np.eye(3) - gauss)[1][:, 0]
     if normal @ (w @ n) < 0.0:
         normal = -normal
-    sphere = _sphere_centre(q, n, w)
-    cylinder = _cylinder_axis(q, n, w, along)
-    _, twists = slippable_motions(moments)
-    candidates = [
-        _axis_twist(origin, normal),
-        _axis_twist(cylinder.point, cylinder.direction),
-        _axis_twist(sphere, mean_normal),
-        _pure_rotation(moments),
-    ]
-    revolute = screw(_least_slip(candidates, moments))
-    helical = screw(twists[0, :, 0])
-    if not np.isfinite(revolute.lead):
-        revolute = screw(candidates[1])
-    return {
+    found: dict[InvarianceClass, Reference] = {
         "planar": Reference(origin, normal),
-        "spherical": Reference(sphere, mean_normal),
-        "cylindrical": cylinder,
         "prismatic": Reference(origin, along),
-        "revolute": Reference(revolute.point, revolute.direction),
-        "helical": helical,
         "complex": Reference(origin, normal),
     }
+    wanted = set(classes)
+    if wanted & {"spherical", "revolute"}:
+        found["spherical"] = Reference(_sphere_centre(q, n, w), mean_normal)
+    if wanted & {"cylindrical", "revolute"}:
+        found["cylindrical"] = _cylinder_axis(q, n, w, along)
+    if wanted & {"revolute", "helical"}:
+        moments = slippage_moments(q, n, w, np.zeros(len(q), dtype=np.int64), 1)
+        found["helical"] = screw(slippable_motions(moments)[1][0, :, 0])
+    if "revolute" in wanted:
+        nested = [
+            _axis_twist(found[name].point, found[name].direction)
+            for name in ("planar", "cylindrical", "spherical")
+        ]
+        revolute = screw(_least_slip([*nested, _pure_rotation(moments)], moments))
+        if not np.isfinite(revolute.lead):
+            revolute = found["cylindrical"]
+        found["revolute"] = Reference(revolute.point, revolute.direction)
+    return {name: found[name] for name in CLASSES if name in wanted}
 
 
 def _axis_twist(point: FloatArray, direction: FloatArray) -> FloatArray:
