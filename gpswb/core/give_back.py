@@ -55,6 +55,8 @@ def give_back(
     labelled with the rounder. Regions that lie on a plane, sphere or cylinder for the most part get
     that surface. A facet whose corners are off its own region's surface, or whose region has none,
     moves to a neighbour whose surface it lies on; off its own surface, also to a neighbour without.
+    Regions of a few facets then go to the large neighbour they share most border with, unless it
+    has a surface that they are off: leftovers of a tangent border have no shape of their own.
 
     Args:
         mesh: the mesh.
@@ -88,7 +90,41 @@ def give_back(
         # A neighbour whose surface fits comes last and so stays.
         order = np.argsort(on[moved], kind="stable")
         region[facet[moved][order]] = target[moved][order]
-    return region
+    return _absorb(mesh, region, crease, surfaces, tolerances)
+
+
+def _absorb(
+    mesh: Mesh,
+    region: IntArray,
+    crease: BoolArray,
+    surfaces: Mapping[int, _Surface],
+    tolerances: Tolerances,
+) -> IntArray:
+    """Give regions of fewer facets than a confident one has to a confident smooth neighbour."""
+    inside = region >= 0
+    count = int(region.max(initial=-1)) + 1
+    size = np.bincount(region[inside], minlength=count)
+    ends = mesh.vertices[mesh.pair_edges[~crease]]
+    length = np.tile(np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1), 2)
+    pairs = mesh.facet_pairs[~crease]
+    pairs = np.concatenate([pairs, pairs[:, ::-1]])
+    own, other = region[pairs].T
+    few = tolerances.confident_facets
+    border = (own != other) & (own >= 0) & (other >= 0)
+    border[border] &= (size[own[border]] < few) & (size[other[border]] >= few)
+    if not border.any():
+        return region
+    facet, own, other = pairs[border, 0], own[border], other[border]
+    explicit = np.isin(other, np.array(list(surfaces), dtype=np.int64))
+    fits = ~explicit | _lies_on(mesh, facet, other, surfaces)
+    key, inverse = np.unique(own * count + other, return_inverse=True)
+    shared = np.bincount(inverse.ravel(), weights=length[border])
+    agrees = np.bincount(inverse.ravel(), weights=~fits) == 0
+    target = np.arange(count)
+    order = np.argsort(shared[agrees], kind="stable")
+    chosen = key[agrees][order]
+    target[chosen // count] = chosen % count
+    return np.where(inside, target[region], -1)
 
 
 def _lies_on(
