@@ -50,6 +50,17 @@ def add_density_option(parser: argparse.ArgumentParser) -> None:
     )
 
 
+def add_corpus_options(parser: argparse.ArgumentParser) -> None:
+    """Add ``--jobs``, ``--time-limit`` and ``--memory-limit``."""
+    parser.add_argument("--jobs", type=positive_int, default=2, metavar="N", help="at once; 2")
+    parser.add_argument(
+        "--time-limit", type=positive, default=300.0, metavar="SECONDS", help="a file; 300"
+    )
+    parser.add_argument(
+        "--memory-limit", type=positive, default=6.0, metavar="GB", help="a file; 6"
+    )
+
+
 def density(text: str) -> Density:
     """Argparse type of a density."""
     try:

@@ -1,19 +1,25 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""``gpswb sweep``: accuracy against density (and noise) for one part; table, CSV and plot."""
+"""``gpswb sweep``: accuracy against density and noise, for a part or a corpus; table, CSV, plot."""
 
 from __future__ import annotations
 
 import argparse
 import csv
 import dataclasses
-import time
+import tempfile
 from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
 from gpswb.cad.density import FORMS, Density
 from gpswb.cli.guard import guarded
-from gpswb.cli.options import Settings, add_pipeline_options, density, non_negative
+from gpswb.cli.options import (
+    Settings,
+    add_corpus_options,
+    add_pipeline_options,
+    density,
+    non_negative,
+)
 from gpswb.errors import InputError
 
 OWNED = ("sweep.csv", "sweep.svg")
@@ -22,10 +28,11 @@ OWNED = ("sweep.csv", "sweep.svg")
 
 @dataclasses.dataclass(frozen=True)
 class Point:
-    """One run of the sweep."""
+    """One density and one noise: counts summed over the parts, figures their mean."""
 
     density: str
     noise: float
+    parts: int
     triangles: int
     initial_regions: int
     regions: int
@@ -39,8 +46,8 @@ def register(verbs: argparse._SubParsersAction[argparse.ArgumentParser]) -> None
     """Add the verb to the command's parser."""
     parser = verbs.add_parser(
         "sweep",
-        help="accuracy against density and noise for one part: table, CSV, plot",
-        description=f"Densities, separated by commas: {FORMS}.",
+        help="accuracy against density and noise: table, CSV, plot",
+        description=f"INPUT is a part or a directory. Densities, separated by commas: {FORMS}.",
     )
     parser.add_argument("input", type=Path, metavar="INPUT")
     parser.add_argument("--densities", type=densities, required=True, metavar="A,B,...")
@@ -53,6 +60,7 @@ def register(verbs: argparse._SubParsersAction[argparse.ArgumentParser]) -> None
     )
     parser.add_argument("--out", type=Path, metavar="DIR", help="write sweep.csv and sweep.svg")
     add_pipeline_options(parser)
+    add_corpus_options(parser)
     parser.set_defaults(run=run)
 
 
@@ -78,21 +86,63 @@ def run(args: argparse.Namespace) -> int:
     from gpswb.io.whole import whole_directory
 
     if args.out is None:
-        rows = guarded(lambda: _measure_all(args, None), str(args.input))
+        points = _measure_all(args)
     else:
         with whole_directory(args.out, OWNED) as draft:
-            rows = guarded(lambda: _measure_all(args, draft), str(args.input))
-    points = [Point(**row) for row in rows]
-    for line in aligned(_cells(points), right=range(1, 9)):
+            points = _measure_all(args)
+            guarded(lambda: _write(draft, points, args.input.name), "the plot")
+    for line in aligned(_cells(points), right=range(1, 10)):
         print(line)
     if args.out is not None:
         print("wrote " + " ".join(str(args.out / name) for name in OWNED))
     return 0
 
 
-def _write(draft: Path, rows: Sequence[dict[str, Any]], name: str) -> None:
+def _measure_all(args: argparse.Namespace) -> list[Point]:
+    from gpswb.cli.corpus_run import collect
+
+    files = collect([args.input])
+    return [
+        _measure(args, files, asked, noise)
+        for noise in args.noise_added
+        for asked in args.densities
+    ]
+
+
+def _measure(
+    args: argparse.Namespace, files: Sequence[Path], asked: Density, noise: float
+) -> Point:
+    from gpswb.cli.corpus_job import Limits
+    from gpswb.cli.corpus_run import examine_all
+    from gpswb.validation.corpus import totals
+
+    settings = Settings(asked, args.mode, args.method, args.kernel, noise_added=noise)
+    limits = Limits(args.time_limit, int(args.memory_limit * 1e9))
+    with tempfile.TemporaryDirectory() as scratch:
+        rows = examine_all(files, Path(scratch), settings, limits, args.jobs)
+    judged = [row for row in rows if row.judged]
+    if not judged:
+        why = next((f": {row.message}" for row in rows if row.message), "")
+        raise InputError(f"{args.input} has no CAD faces to judge by{why}")
+    figures = totals(judged)
+    return Point(
+        density=str(asked),
+        noise=noise,
+        parts=len(judged),
+        triangles=figures.triangles,
+        initial_regions=sum(row.document["initial_region_count"] for row in judged),
+        regions=sum(len(row.document["regions"]) for row in judged),
+        area_accuracy=figures.mean_area,
+        face_accuracy=figures.mean_face,
+        region_f1=figures.mean_f1,
+        seconds=round(sum(row.seconds for row in judged), 3),
+    )
+
+
+def _write(draft: Path, points: Sequence[Point], name: str) -> None:
     from gpswb.report.sweep_plot import write_sweep_plot
 
+    rows: list[dict[str, Any]] = [dataclasses.asdict(point) for point in points]
     with (draft / "sweep.csv").open("w", newline="", encoding="utf-8") as file:
         table = csv.DictWriter(file, list(rows[0]), lineterminator="\n")
         table.writeheader()
@@ -100,58 +150,32 @@ def _write(draft: Path, rows: Sequence[dict[str, Any]], name: str) -> None:
     write_sweep_plot(draft / "sweep.svg", rows, name)
 
 
-def _measure_all(args: argparse.Namespace, draft: Path | None) -> list[dict[str, Any]]:
-    from gpswb.cli.progress import count_bar
-
-    rows = []
-    with count_bar(len(args.densities) * len(args.noise_added), "run") as step:
-        for noise in args.noise_added:
-            for asked in args.densities:
-                rows.append(dataclasses.asdict(_measure(args, asked, noise)))
-                step(f"{asked} {noise:g}")
-    if draft is not None:
-        _write(draft, rows, args.input.name)
-    return rows
-
-
-def _measure(args: argparse.Namespace, asked: Density, noise: float) -> Point:
-    from gpswb.cli.one_part import examine
-
-    settings = Settings(asked, args.mode, args.method, args.kernel, noise_added=noise)
-    start = time.perf_counter()
-    outcome = examine(args.input, settings)
-    judged = outcome.validation
-    if judged is None or judged.area_accuracy is None or judged.face_accuracy is None:
-        raise InputError(f"{args.input} has no CAD faces to judge by")
-    return Point(
-        density=str(asked),
-        noise=noise,
-        triangles=len(outcome.partition.mesh.triangles),
-        initial_regions=outcome.partition.initial_region_count,
-        regions=len(outcome.partition.regions),
-        area_accuracy=judged.area_accuracy,
-        face_accuracy=judged.face_accuracy,
-        region_f1=judged.region_f1,
-        seconds=round(time.perf_counter() - start, 3),
-    )
-
-
 def _cells(points: Sequence[Point]) -> list[tuple[str, ...]]:
-    head = ("density", "noise", "triangles", "initial", "regions", "area", "face", "F1", "s")
-    return [
-        head,
-        *(
-            (
-                p.density,
-                f"{p.noise:g}",
-                str(p.triangles),
-                str(p.initial_regions),
-                str(p.regions),
-                f"{p.area_accuracy:.4f}",
-                f"{p.face_accuracy:.4f}",
-                f"{p.region_f1:.4f}",
-                f"{p.seconds:.1f}",
-            )
-            for p in points
-        ),
+    head = (
+        "density",
+        "noise",
+        "parts",
+        "triangles",
+        "initial",
+        "regions",
+        "area",
+        "face",
+        "F1",
+        "s",
+    )
+    rows = [
+        (
+            p.density,
+            f"{p.noise:g}",
+            str(p.parts),
+            str(p.triangles),
+            str(p.initial_regions),
+            str(p.regions),
+            f"{p.area_accuracy:.4f}",
+            f"{p.face_accuracy:.4f}",
+            f"{p.region_f1:.4f}",
+            f"{p.seconds:.1f}",
+        )
+        for p in points
     ]
+    return [head, *rows]

@@ -4,26 +4,15 @@
 from __future__ import annotations
 
 import argparse
-from collections.abc import Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 from gpswb.cli.options import (
     Settings,
+    add_corpus_options,
     add_density_option,
     add_pipeline_options,
     non_negative,
-    positive,
-    positive_int,
 )
-from gpswb.errors import InputError
-
-if TYPE_CHECKING:
-    from gpswb.cli.corpus_job import Job, Limits
-    from gpswb.validation.corpus import PartRow
-
-SUFFIXES = (".step", ".stp", ".p21", ".brep", ".brp", ".rle", ".fcstd")
-"""Endings, in lower case, of the files that are taken from a directory."""
 
 OWNED = ("summary.csv", "summary.json", "faces.csv", "report.html", "parts", "pictures")
 """Everything that this verb may write in the output directory."""
@@ -47,13 +36,7 @@ def register(verbs: argparse._SubParsersAction[argparse.ArgumentParser]) -> None
         metavar="FRACTION",
         help="displace the vertices by gaussian noise of this fraction of the diagonal",
     )
-    parser.add_argument("--jobs", type=positive_int, default=2, metavar="N", help="at once; 2")
-    parser.add_argument(
-        "--time-limit", type=positive, default=300.0, metavar="SECONDS", help="a file; 300"
-    )
-    parser.add_argument(
-        "--memory-limit", type=positive, default=6.0, metavar="GB", help="a file; 6"
-    )
+    add_corpus_options(parser)
     parser.add_argument(
         "--pictures", type=int, default=12, metavar="N", help="of the N worst parts; 12"
     )
@@ -68,6 +51,7 @@ def run(args: argparse.Namespace) -> int:
     """Do it; the exit code."""
     from gpswb.cli.corpus_files import check_docs, summary_lines, write_corpus, write_docs
     from gpswb.cli.corpus_job import Limits
+    from gpswb.cli.corpus_run import collect, examine_all
     from gpswb.io.whole import whole_directory
 
     settings = Settings(
@@ -80,7 +64,7 @@ def run(args: argparse.Namespace) -> int:
     if args.docs:
         check_docs(args.docs, title)
     with whole_directory(args.out, OWNED) as draft:
-        rows = _examine_all(files, draft, settings, limits, args.jobs)
+        rows = examine_all(files, draft, settings, limits, args.jobs)
         names = write_corpus(draft, rows, settings, title, command, args.pictures)
     if args.docs:
         write_docs(args.docs, rows, title, command)
@@ -90,54 +74,6 @@ def run(args: argparse.Namespace) -> int:
     if args.docs:
         print(f"renewed {title!r} in {args.docs}")
     return 0
-
-
-def _examine_all(
-    files: Sequence[Path], draft: Path, settings: Settings, limits: Limits, parallel: int
-) -> list[PartRow]:
-    """Rows in the order of the files; the largest start first, so that none is left over."""
-    from gpswb.cli.corpus_job import Job, run_jobs
-    from gpswb.cli.progress import count_bar
-
-    jobs = []
-    taken: set[str] = set()
-    for path in files:
-        name, n = path.name, 2
-        while name.lower() in taken:
-            name, n = f"{path.name} ({n})", n + 1
-        taken.add(name.lower())
-        jobs.append(Job(path, name, draft / "parts" / name))
-    rows: dict[Job, PartRow] = {}
-    large_first = sorted(jobs, key=lambda job: -job.path.stat().st_size)
-    with count_bar(len(jobs), "part") as step:
-        for job, row in run_jobs(large_first, settings, limits, parallel):
-            rows[job] = row
-            step(job.name)
-    return [rows[job] for job in jobs]
-
-
-def collect(paths: Sequence[Path]) -> list[Path]:
-    """The files named, and those with a CAD ending in the directories named, sorted by path.
-
-    Raises:
-        InputError: a path does not exist, or there is no file at all.
-    """
-    files: list[Path] = []
-    for path in paths:
-        if path.is_dir():
-            try:
-                inside = sorted(p for p in path.rglob("*") if p.suffix.lower() in SUFFIXES)
-            except OSError as error:
-                raise InputError(f"can't read {path}: {error.strerror or error}") from error
-            files += [p for p in inside if p.is_file()]
-        elif path.is_file():
-            files.append(path)
-        else:
-            raise InputError(f"{path}: no such file or directory")
-    unique = list(dict.fromkeys(files))
-    if not unique:
-        raise InputError(f"no STEP, BREP or FCStd file in {', '.join(map(str, paths))}")
-    return unique
 
 
 def describe(settings: Settings) -> str:

@@ -152,6 +152,28 @@ def test_sweep_measures_each_density(gpswb: Command, block_step: Path, tmp_path:
     assert "<svg" in (out / "sweep.svg").read_text("utf-8")
 
 
+def test_sweep_of_a_corpus_averages_its_parts(
+    gpswb: Command, block_step: Path, tmp_path: Path
+) -> None:
+    (tmp_path / "corpus").mkdir()
+    for name in ("a.step", "b.step"):
+        (tmp_path / "corpus" / name).write_bytes(block_step.read_bytes())
+    (tmp_path / "corpus" / "bad.step").write_text("nothing")
+    rows = []
+    for name, path in (("one", block_step), ("two", tmp_path / "corpus")):
+        out = tmp_path / name
+        words = ["sweep", path, "--densities", "stl", "--noise-added", "0,0.001", "--out", out]
+        assert gpswb(*words).returncode == 0
+        with (out / "sweep.csv").open(newline="", encoding="utf-8") as file:
+            rows.append(list(csv.DictReader(file)))
+    assert [row["noise"] for row in rows[0]] == ["0.0", "0.001"]
+    for one, two in zip(*rows, strict=True):
+        assert (one["parts"], two["parts"]) == ("1", "2")
+        assert int(two["triangles"]) == 2 * int(one["triangles"])
+        for key in ("area_accuracy", "face_accuracy", "region_f1"):
+            assert float(two[key]) == pytest.approx(float(one[key]))
+
+
 def test_sweep_needs_faces_to_judge_by(gpswb: Command, tmp_path: Path) -> None:
     (tmp_path / "flat.off").write_text("OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n")
     done = gpswb("sweep", tmp_path / "flat.off", "--densities", "stl")
