@@ -41,7 +41,10 @@ def register(verbs: argparse._SubParsersAction[argparse.ArgumentParser]) -> None
         "--pictures", type=int, default=12, metavar="N", help="of the N worst parts; 12"
     )
     parser.add_argument(
-        "--docs", type=Path, metavar="FILE.md", help="renew the section of this run in a document"
+        "--docs",
+        type=Path,
+        metavar="FILE.md",
+        help="renew the section of this run in a document; of a directory, in its validation.md",
     )
     parser.add_argument("--title", help="of the run, in --docs and the report")
     parser.set_defaults(run=run)
@@ -62,6 +65,7 @@ def run(args: argparse.Namespace) -> int:
     title = args.title or describe(settings)
     command = command_line(args, settings)
     if args.docs:
+        args.docs = args.docs / "validation.md" if args.docs.is_dir() else args.docs
         check_docs(args.docs, title)
     with whole_directory(args.out, OWNED) as draft:
         rows = examine_all(files, draft, settings, limits, args.jobs)

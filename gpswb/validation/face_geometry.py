@@ -77,6 +77,15 @@ def _line(truth: FaceTruth) -> tuple[np.ndarray, np.ndarray] | None:
     return np.array(point), np.array(direction)
 
 
+def _sizes(truth: FaceTruth) -> dict[str, list[float]]:
+    """The surface's lengths and angles, to nine digits."""
+    return {
+        name: [float(f"{value:.9g}") for value in values]
+        for name, values in truth.parameters.items()
+        if name not in ("point", "direction")
+    }
+
+
 def parallel_planes(a: FaceTruth, b: FaceTruth) -> bool:
     """Two planes that are parallel but not coplanar."""
     one, two = _line(a), _line(b)
@@ -89,9 +98,11 @@ def parallel_planes(a: FaceTruth, b: FaceTruth) -> bool:
 
 
 def coaxial(a: FaceTruth, b: FaceTruth) -> bool:
-    """Two surfaces, not planes, with one axis (two pieces of one surface are one feature)."""
+    """Two surfaces of different kind or size, not planes, with one axis."""
     one, two = _line(a), _line(b)
     if "Plane" in (a.surface, b.surface) or one is None or two is None:
+        return False
+    if a.surface == b.surface and _sizes(a) == _sizes(b):
         return False
     (p, d), (q, e) = one, two
     scale = max(1.0, float(np.abs([p, q]).max()))

@@ -187,11 +187,11 @@ def _merged_kind(
     dominated = max(match.overlap[main, c] for c in others) > own
     if curved and tangent and dominated and len(others) < 3:
         return "fillet lost"
+    if tangent:
+        return "tangent chain swallowed"
     pairs = [(truth, facemap.faces[j].truth) for j in partners]
     if any(a and b and parallel_planes(a, b) for a, b in pairs):
         return "parallel steps merged"
     if any(a and b and coaxial(a, b) for a, b in pairs):
         return "coaxial steps merged"
-    if tangent or any(geometry.tangent_to_any(j, partners) for j in partners):
-        return "tangent chain swallowed"
     return "merged across a crease"
