@@ -82,9 +82,7 @@ def estimate_curvature(
         total, area[:, None, None], out=np.zeros_like(total), where=area[:, None, None] > 0
     )
     if sweeps:
-        tensor = _diffuse(tensor, wedges, area, sweeps)
-        projector = np.eye(3) - normals[:, :, None] * normals[:, None, :]
-        tensor = projector @ tensor @ projector
+        tensor = _diffuse(tensor, normals, wedges, area, sweeps)
     k_max, k_min, direction = principal(tensor, normals)
     return Curvature(normals, tensor, k_max, k_min, direction)
 
@@ -154,25 +152,34 @@ def tangent_frame(normals: FloatArray) -> tuple[FloatArray, FloatArray]:
 
 def _turn(tensor: FloatArray, start: FloatArray, end: FloatArray) -> FloatArray:
     """Turn tangent tensors by the least rotation that takes unit normals ``start`` to ``end``."""
-    cosine = np.einsum("ni,ni->n", start, end)
-    total = start + end
-    scale = np.divide(1.0, 1.0 + cosine, out=np.zeros_like(cosine), where=cosine > -0.99)
-    # For x perpendicular to start: R x = x - (end.x) (start + end) / (1 + start.end).
-    rotation = np.eye(3) - scale[:, None, None] * total[:, :, None] * end[:, None, :]
+    rotation = _rotations(start, end)
     turned: FloatArray = rotation @ tensor @ np.swapaxes(rotation, 1, 2)
     return turned
 
 
-def _diffuse(tensor: FloatArray, wedges: Wedges, area: FloatArray, sweeps: int) -> FloatArray:
-    """Average tensors over neighbouring wedges, by area; creases stop it."""
+def _rotations(start: FloatArray, end: FloatArray) -> FloatArray:
+    """(n, 3, 3) R x = x - (end.x) (start + end) / (1 + start.end), for x perpendicular to start."""
+    cosine = np.einsum("ni,ni->n", start, end)
+    scale = np.divide(1.0, 1.0 + cosine, out=np.zeros_like(cosine), where=cosine > -0.99)
+    total = start + end
+    rotation: FloatArray = np.eye(3) - scale[:, None, None] * total[:, :, None] * end[:, None, :]
+    return rotation
+
+
+def _diffuse(
+    tensor: FloatArray, normals: FloatArray, wedges: Wedges, area: FloatArray, sweeps: int
+) -> FloatArray:
+    """Average tensors over neighbouring wedges, by area, each turned into the wedge's own plane."""
     corner = wedges.of_corner
     row = np.concatenate([corner[:, [0, 1, 2]].ravel(), np.arange(wedges.count)])
     col = np.concatenate([corner[:, [1, 2, 0]].ravel(), np.arange(wedges.count)])
     graph = csr_matrix((np.ones(len(row)), (row, col)), shape=(wedges.count, wedges.count))
-    graph = graph + graph.T
-    graph.data[:] = 1.0
-    flat = tensor.reshape(wedges.count, 9)
-    total = np.maximum(graph @ area, 1e-300)
+    graph = (graph + graph.T).tocsr()
+    col = graph.indices
+    row = np.repeat(np.arange(wedges.count), np.diff(graph.indptr))
+    rotation = _rotations(normals[col], normals[row])
+    weight = area[col] / np.maximum(np.add.reduceat(area[col], graph.indptr[:-1])[row], 1e-300)
     for _ in range(sweeps):
-        flat = (graph @ (area[:, None] * flat)) / total[:, None]
-    return flat.reshape(wedges.count, 3, 3)
+        turned = rotation @ tensor[col] @ np.swapaxes(rotation, 1, 2)
+        tensor = np.add.reduceat(weight[:, None, None] * turned, graph.indptr[:-1], axis=0)
+    return tensor
