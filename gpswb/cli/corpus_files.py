@@ -9,18 +9,14 @@ import json
 from collections.abc import Sequence
 from pathlib import Path
 
-import numpy as np
-
+from gpswb.cli.corpus_pictures import draw_kinds, draw_worst_parts
 from gpswb.cli.options import Settings
 from gpswb.cli.table import aligned
-from gpswb.core.mesh import Mesh
 from gpswb.errors import OutputError
 from gpswb.io.whole import write_whole
 from gpswb.report.corpus_markdown import corpus_section, renew_section
 from gpswb.report.corpus_page import corpus_page
 from gpswb.report.corpus_tables import counts_sentence, figures_table, kinds_table
-from gpswb.report.picture import truth_and_recognised
-from gpswb.report.png import png_bytes
 from gpswb.validation.corpus import (
     RECALL_TRIANGLES,
     PartRow,
@@ -28,7 +24,6 @@ from gpswb.validation.corpus import (
     pooled_confusion,
     recall,
     totals,
-    worst_first,
 )
 
 SCHEMA = "gpswb-summary/1"
@@ -87,10 +82,8 @@ def write_corpus(
     text = json.dumps(summary, indent=1, ensure_ascii=False, allow_nan=False)
     (draft / "summary.json").write_text(text + "\n", encoding="utf-8")
     (draft / "pictures").mkdir()
-    drawn = {row.name: _picture(draft, row) for row in worst_first(rows)[: max(0, pictures)]}
-    for name, png in drawn.items():
-        (draft / "pictures" / f"{name}.png").write_bytes(png)
-    page = corpus_page(rows, title, command, drawn)
+    kinds = draw_kinds(draft, rows) if pictures else []
+    page = corpus_page(rows, title, command, kinds, draw_worst_parts(draft, rows, pictures))
     (draft / "report.html").write_text(page, encoding="utf-8")
     return ["report.html", "summary.json", "summary.csv", "faces.csv", "pictures", "parts"]
 
@@ -156,14 +149,3 @@ def _write_failures(path: Path, rows: Sequence[PartRow]) -> None:
         for row in rows:
             for failure in row.figures.get("failures", ()):
                 table.writerow((row.name, *(failure[column] for column in columns)))
-
-
-def _picture(draft: Path, row: PartRow) -> bytes:
-    """Truth and recognised side by side, from the part's labels."""
-    with np.load(draft / "parts" / row.name / "labels.npz", allow_pickle=False) as labels:
-        mesh = Mesh(labels["vertices"], labels["triangles"])
-        face, label = labels["face"], labels["class"]
-    faces = row.document["faces"]
-    wrong = [i for i, f in enumerate(faces) if f["true_class"] and f["class"] != f["true_class"]]
-    truth = [f["true_class"] for f in faces]
-    return png_bytes(truth_and_recognised(mesh, face, truth, label, np.array(wrong, dtype=int)))

@@ -88,8 +88,15 @@ def positive(text: str) -> float:
     return value
 
 
+def whole(text: str) -> int:
+    """Argparse type of a whole number of at least 0."""
+    if not (text.isascii() and text.isdigit()):
+        raise argparse.ArgumentTypeError(f"{text!r} is not a whole number of at least 0")
+    return int(text)
+
+
 def positive_int(text: str) -> int:
-    """Argparse type of a whole number of at least one."""
-    if not (text.isascii() and text.isdigit() and int(text) >= 1):
-        raise argparse.ArgumentTypeError(f"{text!r} is not a whole number of at least 1")
+    """Argparse type of a whole number of at least 1."""
+    if whole(text) == 0:
+        raise argparse.ArgumentTypeError("must be at least 1")
     return int(text)

@@ -12,6 +12,7 @@ from gpswb.cli.options import (
     add_density_option,
     add_pipeline_options,
     non_negative,
+    whole,
 )
 
 OWNED = ("summary.csv", "summary.json", "faces.csv", "report.html", "parts", "pictures")
@@ -38,7 +39,11 @@ def register(verbs: argparse._SubParsersAction[argparse.ArgumentParser]) -> None
     )
     add_corpus_options(parser)
     parser.add_argument(
-        "--pictures", type=int, default=12, metavar="N", help="of the N worst parts; 12"
+        "--pictures",
+        type=whole,
+        default=12,
+        metavar="N",
+        help="of the N worst parts, and close-ups of each kind of failure; 12; 0 for none",
     )
     parser.add_argument(
         "--docs",

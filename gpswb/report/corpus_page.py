@@ -4,7 +4,8 @@
 from __future__ import annotations
 
 import base64
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
+from dataclasses import dataclass
 from html import escape
 from importlib import resources
 
@@ -24,8 +25,20 @@ POLICY = "default-src 'none'; style-src 'unsafe-inline'; img-src data:"
 """Content security policy: the page runs no script and loads nothing."""
 
 
+@dataclass(frozen=True)
+class Figure:
+    """A picture, PNG, with its caption."""
+
+    caption: str
+    png: bytes
+
+
 def corpus_page(
-    rows: Sequence[PartRow], title: str, command: str, pictures: Mapping[str, bytes]
+    rows: Sequence[PartRow],
+    title: str,
+    command: str,
+    kinds: Sequence[Figure],
+    worst: Sequence[Figure],
 ) -> str:
     """The page: totals, failures by kind, recall, confusion, pictures of the worst, all parts.
 
@@ -33,21 +46,23 @@ def corpus_page(
         rows: one a file.
         title: of the run.
         command: that made it.
-        pictures: PNG by the part's name, the worst part first.
+        kinds: close-ups of each kind of failure.
+        worst: pictures of the worst parts, the worst first.
     """
     style = resources.files("gpswb.report").joinpath("corpus_page.css").read_text("utf-8")
-    by_name = {row.name: row for row in rows}
-    figures = [_figure(by_name[name], png) for name, png in pictures.items()]
     heading = f"Validation: {escape(title)}"
     body = [
         f"<h1>{heading}</h1>",
         f"<p><code>{escape(command)}</code></p>",
         f"<p>{escape(counts_sentence(rows))}</p>",
         *(_table(make(rows)) for make in (figures_table, kinds_table)),
-        "<h2>The worst parts</h2>",
-        "<p>Left the truth, right what was recognised; wrong faces outlined.</p>",
+        "<h2>Each kind, close up</h2>",
+        "<p>The truth, the classes recognised, the regions; the face in question outlined.</p>",
         _legend(),
-        f'<div class="pictures">{"".join(figures)}</div>',
+        _figures(kinds),
+        "<h2>The worst parts</h2>",
+        "<p>The truth, the classes recognised, the regions; wrong faces outlined.</p>",
+        _figures(worst),
         *(_table(make(rows)) for make in (recall_table, confusion_table, parts_table)),
     ]
     head = [
@@ -85,11 +100,11 @@ def _legend() -> str:
     return f'<ul class="legend">{"".join(items)}</ul>'
 
 
-def _figure(row: PartRow, png: bytes) -> str:
-    figures = row.figures
-    caption = f"{row.name}: {figures['right_faces']} of {figures['judged_faces']} faces right"
-    data = base64.b64encode(png).decode("ascii")
-    return (
-        f'<figure><img alt="{escape(caption, quote=True)}" src="data:image/png;base64,{data}">'
-        f"<figcaption>{escape(caption)}</figcaption></figure>"
-    )
+def _figures(figures: Sequence[Figure]) -> str:
+    items = []
+    for figure in figures:
+        caption = escape(figure.caption, quote=True)
+        data = base64.b64encode(figure.png).decode("ascii")
+        image = f'<img alt="{caption}" src="data:image/png;base64,{data}">'
+        items.append(f"<figure>{image}<figcaption>{caption}</figcaption></figure>")
+    return f'<div class="pictures">{"".join(items)}</div>'

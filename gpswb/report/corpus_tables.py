@@ -71,7 +71,7 @@ def kinds_table(rows: Sequence[PartRow]) -> Table:
             f"{100 * k.area_share:.2f} %",
             str(k.unmatched),
             str(k.parts),
-            k.example,
+            str(k.examples[0]),
         )
         for k in failures_by_kind(rows)
     )

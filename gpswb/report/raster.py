@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 import numpy as np
 
 from gpswb.core.mesh import FloatArray, IntArray, Mesh
@@ -20,33 +22,56 @@ def camera(toward: FloatArray) -> FloatArray:
     return np.array([right, np.cross(back, right), back])
 
 
-def visible_triangles(mesh: Mesh, view: FloatArray, width: int, height: int) -> IntArray:
+@dataclass(frozen=True, eq=False)
+class Focus:
+    """What a close-up shows: a ball, and nothing that stands well before it.
+
+    Args:
+        centre: (3,) mm.
+        radius: mm.
+    """
+
+    centre: FloatArray
+    radius: float
+
+
+def visible_triangles(
+    mesh: Mesh, view: FloatArray, width: int, height: int, focus: Focus | None = None
+) -> IntArray:
     """(height, width) int64 index of the triangle seen at each pixel; -1 for the background.
 
-    The mesh fills the picture but for a margin of 3 %.
+    The mesh, or the ball in focus, fills the picture but for a margin of 3 %.
 
     Args:
         mesh: what to draw.
         view: (3, 3) rows right, up, back, from `camera`.
         width, height: size of the picture, pixels.
+        focus: of a close-up; None for the whole mesh.
     """
     image = np.full(width * height, -1, dtype=np.int64)
     if not len(mesh.triangles):
         return image.reshape(height, width)
     seen = mesh.vertices @ view.T
     low, high = seen.min(axis=0), seen.max(axis=0)
+    if focus is not None:
+        low, high = (view @ focus.centre + side * focus.radius for side in (-1, 1))
     span = np.maximum(high - low, 1e-12 + 1e-9 * mesh.diagonal)
     scale = 0.94 * min(width / span[0], height / span[1])
     flat = (seen[:, :2] - (low + high)[:2] / 2) * scale * [1, -1] + [width / 2, height / 2]
     corner = flat[mesh.triangles]  # (m, 3, 2)
     depth = seen[:, 2][mesh.triangles]
-    first = np.ceil(corner.min(axis=1) - 0.5).astype(np.int64)
-    last = np.floor(corner.max(axis=1) - 0.5).astype(np.int64)
+    frame = np.array([width, height])
+    first = np.ceil(np.clip(corner.min(axis=1), -1, frame + 1) - 0.5).astype(np.int64)
+    last = np.floor(np.clip(corner.max(axis=1), -1, frame + 1) - 0.5).astype(np.int64)
     # A triangle between the pixel centres is still drawn as a point, lest tiny faces vanish.
     last = np.maximum(last, first)
-    size = (last - first + 1).prod(axis=1)
+    shown = ((last >= 0) & (first < frame)).all(axis=1)
+    if focus is not None:
+        shown &= depth.max(axis=1) <= high[2] + focus.radius
+    first, last = np.maximum(first, 0), np.minimum(last, frame - 1)
+    size = np.where(shown, (last - first + 1).prod(axis=1), 0)
     nearest = np.full(width * height, -np.inf)
-    order = np.argsort(size, kind="stable")
+    order = np.argsort(size, kind="stable")[int((~shown).sum()) :]
     ends = np.searchsorted(np.cumsum(size[order]), np.arange(CHUNK, size.sum() + CHUNK, CHUNK))
     start = 0
     for end in np.unique(np.minimum(ends + 1, len(order))):

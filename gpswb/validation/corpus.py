@@ -20,6 +20,10 @@ RECALL_TRIANGLES = 30
 """Recall by class is given for faces with at least this many triangles as well."""
 
 
+EXAMPLES = 3
+"""Examples of each kind of failure."""
+
+
 @dataclass(frozen=True, eq=False)
 class PartRow:
     """One file of the corpus.
@@ -68,6 +72,19 @@ class Totals:
 
 
 @dataclass(frozen=True)
+class Example:
+    """A face on which a kind of failure can be seen."""
+
+    part: str
+    face: str
+    true_class: str | None
+    recognised: str | None
+
+    def __str__(self) -> str:
+        return f"{self.part} {self.face} ({self.true_class} as {self.recognised})"
+
+
+@dataclass(frozen=True)
 class KindRow:
     """One kind of failure: wrong faces, faces right but whose feature was not found, parts."""
 
@@ -78,7 +95,7 @@ class KindRow:
     parts: int
     face_share: float
     area_share: float
-    example: str
+    examples: tuple[Example, ...]
 
 
 def totals(rows: Sequence[PartRow]) -> Totals:
@@ -139,7 +156,8 @@ def failures_by_kind(rows: Sequence[PartRow]) -> list[KindRow]:
 
     ``face_share`` is relative to all judged faces. ``area_share`` is the mean over the judged parts
     of the share of the part's area that lies in wrong faces of the kind: what the kind costs in the
-    mean area accuracy. The example is the largest wrong face, else the largest face at all.
+    mean area accuracy. The examples are the faces of the largest share of their part, wrong ones
+    before others, from different parts.
     """
     judged = [row for row in rows if row.judged]
     faces = sum(row.figures["judged_faces"] for row in judged)
@@ -155,7 +173,6 @@ def failures_by_kind(rows: Sequence[PartRow]) -> list[KindRow]:
             continue
         wrong = [(row, failure) for row, failure in hits if failure["wrong_class"]]
         share = sum(failure["area"] / _cad_area(row) for row, failure in wrong if _cad_area(row))
-        row, worst = max(wrong or hits, key=lambda hit: hit[1]["area"] / (_cad_area(hit[0]) or 1))
         kinds.append(
             KindRow(
                 kind=kind,
@@ -165,10 +182,23 @@ def failures_by_kind(rows: Sequence[PartRow]) -> list[KindRow]:
                 parts=len({id(row) for row, _ in hits}),
                 face_share=len(wrong) / faces,
                 area_share=share / len(judged),
-                example=f"{row.name} {worst['face']} ({worst['true_class']} as {worst['class']})",
+                examples=_examples(hits),
             )
         )
     return sorted(kinds, key=lambda row: (-row.wrong, -row.unmatched))
+
+
+def _examples(hits: Sequence[tuple[PartRow, Mapping[str, Any]]]) -> tuple[Example, ...]:
+    """The clearest case of each part, the clearest part first."""
+    ranked = sorted(
+        hits,
+        key=lambda hit: (not hit[1]["wrong_class"], -hit[1]["area"] / (_cad_area(hit[0]) or 1)),
+    )
+    of_part: dict[str, Example] = {}
+    for row, failure in ranked:
+        case = Example(row.name, failure["face"], failure["true_class"], failure["class"])
+        of_part.setdefault(row.name, case)
+    return tuple(of_part.values())[:EXAMPLES]
 
 
 def worst_first(rows: Sequence[PartRow]) -> list[PartRow]:

@@ -9,7 +9,7 @@ from made_parts import put_together, sheet, solid_of, truth
 from gpswb.errors import OutputError
 from gpswb.io.result_json import result_document
 from gpswb.report.corpus_markdown import corpus_section, renew_section
-from gpswb.report.corpus_page import corpus_page
+from gpswb.report.corpus_page import Figure, corpus_page
 from gpswb.validation.corpus import (
     PartRow,
     failures_by_kind,
@@ -95,7 +95,7 @@ def test_section_has_a_row_for_every_file_and_no_markup_of_theirs() -> None:
 
 
 def test_page_shows_every_file_and_runs_no_markup_of_theirs() -> None:
-    page = corpus_page(ROWS, HOSTILE, HOSTILE, {HOSTILE: b"png"})
+    page = corpus_page(ROWS, HOSTILE, HOSTILE, [], [Figure(HOSTILE, b"png")])
     assert "<script" not in page
     assert page.count("&lt;script&gt;") >= 4
     assert "the process was ended by SIGSEGV" in page

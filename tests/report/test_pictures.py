@@ -9,7 +9,7 @@ from made_parts import put_together, row_of_squares, truth
 from matplotlib.image import imread
 
 from gpswb.io.colours import WHEEL
-from gpswb.report.picture import OUTLINE, truth_and_recognised
+from gpswb.report.picture import OUTLINE, SIZE, Labelled, close_up, whole_part
 from gpswb.report.png import png_bytes
 
 
@@ -38,33 +38,57 @@ def hues(half: np.ndarray) -> set[str]:
     return found
 
 
-def test_left_is_truth_right_is_recognised() -> None:
+def labelled(planes: int = 1) -> Labelled:
+    """Squares: planar ones, right; a helical one, taken for spherical; all one region."""
+    n = planes + 1
     partition, facemap = put_together(
-        row_of_squares(2, (3, 3)),
-        [truth("planar"), truth("helical")],
-        [0, 1],
-        ["planar", "spherical"],
+        row_of_squares(n, (3, 3)), [truth("planar")] * n, range(n), ["planar"] * n
     )
-    label = np.array([0, 2])[partition.region]
-    image = truth_and_recognised(
-        partition.mesh, facemap.face_of_triangle, ["planar", "helical"], label, np.array([1])
+    return Labelled(
+        mesh=partition.mesh,
+        face=facemap.face_of_triangle,
+        truth=["planar"] * planes + ["helical"],
+        label=np.where(partition.region == planes, 2, 0),
+        region=np.zeros(18 * n, dtype=np.int64),
     )
-    left, right = image[:, :420], image[:, 420:]
-    assert hues(left) == {"planar", "helical"}
-    assert hues(right) == {"planar", "spherical"}
-    outlined = (image == OUTLINE).all(axis=2)
-    # The wrong face is the one at larger x; its outline keeps to its side.
-    assert outlined.any()
-    assert outlined[:, :420].sum() == outlined[:, 420:].sum()
+
+
+def thirds(image: np.ndarray) -> list[np.ndarray]:
+    return np.split(image, 3, axis=1)
+
+
+def outlined(image: np.ndarray) -> np.ndarray:
+    return (image == OUTLINE).all(axis=2)
+
+
+def test_truth_then_classes_then_regions() -> None:
+    image = whole_part(labelled(), np.array([1]))
+    assert image.shape == (SIZE[1], 3 * SIZE[0], 3)
+    true, recognised, regions = thirds(image)
+    assert hues(true) == {"planar", "helical"}
+    assert hues(recognised) == {"planar", "spherical"}
+    flat = regions[~outlined(regions) & (regions != 255).any(axis=2)]
+    assert len(np.unique(flat, axis=0)) == 2  # one region, and the line between the faces
+    # The same pixels are outlined in all three, about half of the part.
+    assert outlined(true).any()
+    assert np.array_equal(outlined(true), outlined(recognised))
+    assert np.array_equal(outlined(true), outlined(regions))
 
 
 def test_nothing_wrong_nothing_outlined() -> None:
-    partition, facemap = put_together(row_of_squares(1), [truth("planar")], [0], ["planar"])
-    image = truth_and_recognised(
-        partition.mesh,
-        facemap.face_of_triangle,
-        ["planar"],
-        np.zeros(2, dtype=int),
-        np.zeros(0, dtype=int),
+    assert not outlined(whole_part(labelled(), np.zeros(0, dtype=int))).any()
+
+
+def test_close_up_shows_the_face_large() -> None:
+    part = labelled(planes=7)
+    far, near = (
+        hue_share(thirds(image)[0], "helical")
+        for image in (whole_part(part, np.array([7])), close_up(part, 7))
     )
-    assert not (image == OUTLINE).all(axis=2).any()
+    assert near > 5 * far
+
+
+def hue_share(picture: np.ndarray, name: str) -> float:
+    colour = np.array(WHEEL[name])
+    length = np.maximum(np.linalg.norm(picture.astype(float), axis=2), 1)
+    return float((picture @ colour / np.linalg.norm(colour) / length > 0.9995).mean())

@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 from made_parts import sheet
 
 from gpswb.core.mesh import Mesh
-from gpswb.report.raster import camera, visible_triangles
+from gpswb.report.raster import Focus, camera, visible_triangles
 
 DOWN = camera(np.array([0.0, 0.0, -1.0]))
 
@@ -84,3 +84,14 @@ def test_camera_is_a_rotation_that_looks_its_way(toward: list[float]) -> None:
 def test_empty_mesh_is_background() -> None:
     mesh = Mesh(np.zeros((0, 3)), np.zeros((0, 3), dtype=int))
     assert (visible_triangles(mesh, DOWN, 8, 6) == -1).all()
+
+
+def test_close_up_is_cut_to_its_ball() -> None:
+    # A wide floor, a small plate on it, a lid far above: the lid would hide all but the close-up.
+    mesh, part = stack(plate(0.0, 50.0), plate(0.5, 1.0), plate(30.0, 50.0))
+    focus = Focus(np.array([0.0, 0.0, 0.5]), 2.0)
+    seen = visible_triangles(mesh, DOWN, 100, 100, focus)
+    count = np.bincount(part[seen[seen >= 0]], minlength=3)
+    assert count.sum() == 100 * 100  # the floor fills the picture
+    assert count[1] == pytest.approx((0.94 * 50) ** 2, rel=0.05)
+    assert count[2] == 0
