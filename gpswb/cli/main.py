@@ -11,12 +11,12 @@ from collections.abc import Sequence
 from types import FrameType
 
 import gpswb
-from gpswb.cli import partition, sweep, validate
+from gpswb.cli import annotate, partition, sweep, validate
 from gpswb.cli.guard import ChildError
 from gpswb.cli.messages import internal_error, one_line
 from gpswb.errors import GpswbError
 
-VERBS = (partition, validate, sweep)
+VERBS = (partition, validate, sweep, annotate)
 
 
 def main(argv: Sequence[str] | None = None) -> int:

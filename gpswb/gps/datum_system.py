@@ -181,8 +181,10 @@ def part_situation(
 _DATUM = re.compile(r"([A-Z]{1,3}(?:-[A-Z]{1,3})*)(><)?")
 
 
-def parse_datums(text: str, letters: Mapping[str, GpsFeature]) -> tuple[Datum, ...]:
-    """Datums of a notation as ``A|B-C|D><``.
+def parse_datums(
+    text: str, letters: Mapping[str, GpsFeature | tuple[GpsFeature, ...]]
+) -> tuple[Datum, ...]:
+    """Datums of a notation as ``A|B-C|D><``; a letter stands for one feature or several.
 
     Raises:
         InputError: the text isn't a datum system, or names a letter that is no datum.
@@ -196,5 +198,7 @@ def parse_datums(text: str, letters: Mapping[str, GpsFeature]) -> tuple[Datum, .
         for name in names:
             if name not in letters:
                 raise InputError(f"datum {name} in {text!r} isn't assigned to a feature")
-        datums.append(Datum(match[1], tuple(letters[name] for name in names), bool(match[2])))
+        meant = [letters[name] for name in names]
+        features = [f for m in meant for f in (m if isinstance(m, tuple) else (m,))]
+        datums.append(Datum(match[1], tuple(features), bool(match[2])))
     return tuple(datums)

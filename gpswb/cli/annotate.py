@@ -1,0 +1,118 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""``gpswb annotate``: GPS features, datum systems and specifications of one part."""
+
+from __future__ import annotations
+
+import argparse
+import re
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from gpswb.cli.guard import guarded
+from gpswb.cli.options import Settings, add_density_option, add_pipeline_options
+from gpswb.io.whole import whole_directory
+
+if TYPE_CHECKING:
+    from gpswb.cli.one_part import Outcome
+    from gpswb.gps.annotation import Annotation
+    from gpswb.gps.feature_table import FeatureTable
+
+OWNED = ("features.json", "features.csv", "specifications.csv")
+"""Every file that this verb may write in the output directory."""
+
+_DATUM = re.compile(r"\s*([A-Z]{1,2})\s*=\s*([^,=]+?)\s*")
+
+
+def register(verbs: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+    """Add the verb to the command's parser."""
+    parser = verbs.add_parser(
+        "annotate",
+        help="GPS features, datum systems and permitted specifications of one part",
+        description="INPUT is a part (STEP, BREP, FCStd) or a mesh (STL, PLY, OFF, OBJ).",
+    )
+    parser.add_argument("input", type=Path, metavar="INPUT")
+    parser.add_argument("--out", type=Path, required=True, metavar="DIR")
+    parser.add_argument(
+        "--datums",
+        type=datums,
+        default=(),
+        metavar="A=Face1,B=Face5+Face6,...",
+        help="datum features in order of precedence, by faces or by names of the feature table",
+    )
+    parser.add_argument(
+        "--specs",
+        type=Path,
+        metavar="FILE",
+        help="tolerance values, JSON or CSV: feature, characteristic, value, datums, modifiers, "
+        "upper, lower, fit",
+    )
+    parser.add_argument("--csv", action="store_true", help="write features and specifications.csv")
+    add_density_option(parser)
+    add_pipeline_options(parser)
+    parser.set_defaults(run=run)
+
+
+def datums(text: str) -> tuple[tuple[str, str], ...]:
+    """Argparse type of ``A=Face1,B=Face5+Face6``."""
+    found = []
+    for part in text.split(","):
+        match = _DATUM.fullmatch(part)
+        if match is None:
+            raise argparse.ArgumentTypeError(f"{part!r} is no datum; write A=Face1,B=Face5+Face6")
+        found.append((match[1], match[2]))
+    return tuple(found)
+
+
+def run(args: argparse.Namespace) -> int:
+    """Do it; the exit code."""
+    with whole_directory(args.out, OWNED) as draft:
+        lines, names = guarded(lambda: _work(args, draft), str(args.input))
+    for line in lines:
+        print(line)
+    print("wrote " + " ".join(str(args.out / name) for name in names))
+    return 0
+
+
+def _work(args: argparse.Namespace, draft: Path) -> tuple[list[str], list[str]]:
+    """What is printed and the names of the files written in ``draft``."""
+    from gpswb.cli.annotation_lines import annotation_lines
+    from gpswb.cli.one_part import examine
+    from gpswb.cli.progress import stage_bar
+    from gpswb.gps.annotation import annotate
+    from gpswb.io.specification_file import read_specifications
+
+    rows = read_specifications(args.specs) if args.specs else ()
+    settings = Settings(args.density, args.mode, args.method, args.kernel)
+    with stage_bar() as progress:
+        outcome = examine(args.input, settings, progress)
+    annotation = annotate(features_of(outcome), args.datums, rows)
+    return annotation_lines(outcome.solid, annotation), write_all(draft, outcome, annotation, args)
+
+
+def features_of(outcome: Outcome) -> FeatureTable:
+    """The feature table of a part; each B-rep face goes with the region that covers most of it."""
+    from gpswb.gps.feature_table import feature_table
+
+    faces: dict[int, list[str]] = {}
+    for face in outcome.validation.faces if outcome.validation else ():
+        for region in face.regions[:1]:
+            faces.setdefault(region, []).append(face.name)
+    return feature_table(outcome.partition, faces)
+
+
+def write_all(
+    directory: Path, outcome: Outcome, annotation: Annotation, args: argparse.Namespace
+) -> list[str]:
+    """Write what was asked for; the names of the files, the main one first."""
+    from gpswb.io.features_csv import write_features_csv, write_specifications_csv
+    from gpswb.io.features_json import features_document, write_features_json
+
+    solid = outcome.solid
+    source = {"path": solid.source, "sha256": solid.sha256, "unit": solid.unit}
+    write_features_json(directory / "features.json", features_document(annotation, source))
+    names = ["features.json"]
+    if args.csv:
+        write_features_csv(directory / "features.csv", annotation)
+        write_specifications_csv(directory / "specifications.csv", annotation)
+        names += ["features.csv", "specifications.csv"]
+    return names

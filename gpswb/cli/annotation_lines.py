@@ -1,0 +1,113 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Feature table, datum systems and permitted specifications as lines of text."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from gpswb.cad.solid import Solid
+from gpswb.cli.messages import one_line
+from gpswb.cli.table import MOST_ROWS, aligned
+from gpswb.gps.annotation import Annotation
+from gpswb.gps.explain import explain_datum_system
+from gpswb.gps.gps_feature import GpsFeature
+
+_SIGN = {"diameter": "Ø", "spherical diameter": "SØ", "width": "width ", "cone angle": "angle "}
+_MOST_FACES = 6
+
+
+def annotation_lines(solid: Solid, annotation: Annotation) -> list[str]:
+    """What `annotate` prints."""
+    table = annotation.table
+    counts = f"{len(table.integral)} features, {len(table.compounds)} compounds"
+    lines = [
+        f"{one_line(Path(solid.source).name)}: {counts}",
+        *(f"note: {one_line(note)}" for note in solid.notes),
+        "",
+        *_feature_lines(annotation),
+        "",
+        *_datum_lines(annotation),
+        "",
+        *_permitted_lines(annotation),
+    ]
+    if annotation.specified:
+        lines += ["", "specified"]
+        rows = [
+            ("  " + each.feature.name, each.frame, getattr(each, "remark", ""))
+            for each in annotation.specified
+        ]
+        lines += aligned(rows)
+    return lines
+
+
+def size_text(feature: GpsFeature) -> str:
+    """Size of a feature on one line: ``4 × Ø6``, ``width 10``; empty without a size."""
+    if feature.size is None:
+        return ""
+    count = f"{int(feature.intrinsic['count'])} × " if "count" in feature.intrinsic else ""
+    degrees = "" if feature.size.linear else "°"
+    return f"{count}{_SIGN[feature.size.kind]}{feature.size.value:.6g}{degrees}"
+
+
+def _feature_lines(annotation: Annotation) -> list[str]:
+    letters = {
+        feature.id: datum.name
+        for datum in (annotation.system.datums if annotation.system else ())
+        for feature in datum.features
+    }
+    rows = [("feature", "class", "size", "side", "derived", "area mm²", "datum", "faces")]
+    features = annotation.table.features
+    shown = [*annotation.table.integral[:MOST_ROWS], *annotation.table.compounds[:MOST_ROWS]]
+    rows += [
+        (
+            feature.name,
+            feature.invariance_class + ("" if feature.sure else " ?"),
+            size_text(feature),
+            "" if feature.material == "neither" else feature.material,
+            feature.derived,
+            f"{feature.area:.6g}",
+            letters.get(feature.id, ""),
+            _names(feature.faces),
+        )
+        for feature in shown
+    ]
+    more = len(features) - len(shown)
+    return aligned(rows, right=(5,)) + ([f"... and {more} more"] if more else [])
+
+
+def _datum_lines(annotation: Annotation) -> list[str]:
+    lines = []
+    if annotation.letters and annotation.system is not None:
+        lines.append(f"datum system {annotation.system.notation}")
+        lines += _indented(explain_datum_system(annotation.system, annotation.needed))
+    for word, suggestion in zip(("suggested", "runner-up"), annotation.suggestions, strict=False):
+        lines.append(f"{word} datum system {suggestion.system.notation}")
+        lines += _indented(explain_datum_system(suggestion.system, suggestion.needed))
+    return lines or ["no feature can serve as a datum"]
+
+
+def _permitted_lines(annotation: Annotation) -> list[str]:
+    notation = annotation.system.notation if annotation.system else "no datum system"
+    lines = [f"permitted specifications ({notation}); values are yours to give"]
+    rows = [("  feature", "recommended", "also allowed")]
+    shown = [*annotation.table.integral[:MOST_ROWS], *annotation.table.compounds[:MOST_ROWS]]
+    for feature in shown:
+        permitted = annotation.permitted[feature.id]
+        best = [
+            f"{s.symbol} {s.prefix}{s.value}" + (f" | {s.datums}" if s.datums else "")
+            for s in permitted
+            if s.status == "recommended"
+        ]
+        also = [f"{s.symbol} {s.characteristic}" for s in permitted if s.status == "allowed"]
+        rows.append(("  " + feature.name, "  ".join(best), ", ".join(also)))
+    more = len(annotation.table.features) - len(shown)
+    return lines + aligned(rows) + ([f"  ... and {more} more"] if more else [])
+
+
+def _indented(text: str) -> list[str]:
+    return [f"  {line}" for line in text.splitlines()]
+
+
+def _names(names: tuple[str, ...]) -> str:
+    shown = " ".join(names[:_MOST_FACES])
+    return shown if len(names) <= _MOST_FACES else f"{shown} +{len(names) - _MOST_FACES}"

@@ -1,0 +1,80 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What annotating a part comes to: features, datum system, suggestions, specifications."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+from gpswb.core.invariance import DIMENSION
+from gpswb.errors import InputError
+from gpswb.gps.datum_system import Datum, DatumSystem, datum_system, part_situation
+from gpswb.gps.feature_table import FeatureTable
+from gpswb.gps.gps_feature import GpsFeature
+from gpswb.gps.on_faces import chosen_features
+from gpswb.gps.specifications import Specification, permitted_specifications
+from gpswb.gps.specified import Letters, SpecificationRow, Specified, specify
+from gpswb.gps.suggest_datums import Suggestion, suggest_datums
+
+
+@dataclass(frozen=True, eq=False)
+class Annotation:
+    """A part's features with the datum system that its specifications are judged under.
+
+    Args:
+        table: the features.
+        letters: the user's datum features; empty where the user named none.
+        system: the user's datum system, else the best suggestion; None for a part without features.
+        needed: degrees of freedom that any datum system of the part can lock.
+        suggestions: the best datum system and the runner-up.
+        permitted: by feature id, the 15 characteristics of ISO 1101 with status and reason.
+        specified: the user's own specifications.
+    """
+
+    table: FeatureTable
+    letters: Letters
+    system: DatumSystem | None
+    needed: int
+    suggestions: tuple[Suggestion, ...]
+    permitted: Mapping[int, tuple[Specification, ...]]
+    specified: tuple[Specified, ...]
+
+
+def annotate(
+    table: FeatureTable,
+    datums: Sequence[tuple[str, str]] = (),
+    rows: Sequence[SpecificationRow] = (),
+) -> Annotation:
+    """Annotate a part.
+
+    Args:
+        table: its features.
+        datums: letter and choice (``Face5+Face6``, ``Hole 1``) in order of precedence.
+        rows: the user's specifications.
+
+    Raises:
+        InputError: a choice or a row doesn't fit the part.
+    """
+    letters: dict[str, tuple[GpsFeature, ...]] = {}
+    for letter, choice in datums:
+        if letter in letters:
+            raise InputError(f"datum {letter} is given twice")
+        letters[letter] = chosen_features(table.features, choice)
+    suggestions = suggest_datums(table.features, table.frame)
+    system = suggestions[0].system if suggestions else None
+    if letters:
+        own = [Datum(letter, features) for letter, features in letters.items()]
+        system = datum_system(own, table.frame)
+    named = letters or {
+        datum.name: datum.features for datum in (system.datums if system is not None else ())
+    }
+    whole = part_situation(table.features, table.frame) if table.integral else None
+    return Annotation(
+        table=table,
+        letters=letters,
+        system=system,
+        needed=6 - DIMENSION[whole.invariance_class] if whole else 0,
+        suggestions=suggestions,
+        permitted={f.id: permitted_specifications(f, system) for f in table.features},
+        specified=specify(rows, table, named),
+    )

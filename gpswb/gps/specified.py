@@ -1,0 +1,158 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Specifications with the user's own values, tied to features and datums of a part."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+from gpswb.errors import InputError
+from gpswb.gps.characteristics import RULES, Characteristic
+from gpswb.gps.datum_system import Datum, datum_system, parse_datums
+from gpswb.gps.feature_table import FeatureTable
+from gpswb.gps.gps_feature import GpsFeature
+from gpswb.gps.on_faces import chosen_features
+from gpswb.gps.specifications import permitted_specifications
+
+Letters = Mapping[str, tuple[GpsFeature, ...]]
+"""The features behind each datum letter, in order of precedence."""
+
+
+@dataclass(frozen=True)
+class SpecificationRow:
+    """One row of the user's table, as read: nothing is resolved yet.
+
+    Args:
+        feature: name in the feature table, or faces as ``Face5+Face6``.
+        characteristic: of ISO 1101, or ``size``.
+        value: width or diameter of the tolerance zone, mm; None for ``size``.
+        datums: as ``A|B-C``, empty for none.
+        modifiers: of Ⓜ Ⓛ Ⓡ.
+        upper, lower: signed deviations of a size, mm (degrees for an angle).
+        fit: tolerance class of a size (``H7``), instead of deviations.
+    """
+
+    feature: str
+    characteristic: str
+    value: float | None = None
+    datums: str = ""
+    modifiers: tuple[str, ...] = ()
+    upper: float | None = None
+    lower: float | None = None
+    fit: str = ""
+
+
+@dataclass(frozen=True, eq=False)
+class GeometricalTolerance:
+    """One characteristic of one feature; ``remark`` where ISO 1101 speaks against it.
+
+    ``prefix`` stands before the value: nothing, Ø or SØ. A value of None is still open: "?".
+    """
+
+    feature: GpsFeature
+    characteristic: Characteristic
+    value: float | None
+    datums: tuple[Datum, ...]
+    modifiers: tuple[str, ...]
+    prefix: str
+    remark: str = ""
+
+    @property
+    def open(self) -> bool:
+        """Whether the value is still to be given."""
+        return self.value is None
+
+    @property
+    def frame(self) -> str:
+        """The tolerance indicator on one line: ``⌖ Ø0.1 Ⓜ | A | B``."""
+        value = self.prefix + ("?" if self.value is None else f"{self.value:g}")
+        cells = [" ".join([RULES[self.characteristic].symbol, value, *self.modifiers])]
+        return " | ".join([*cells, *(datum.notation for datum in self.datums)])
+
+
+@dataclass(frozen=True, eq=False)
+class SizeTolerance:
+    """Signed deviations (mm, degrees for an angle) or a tolerance class for a feature's size."""
+
+    feature: GpsFeature
+    lower: float | None
+    upper: float | None
+    fit: str = ""
+
+    @property
+    def open(self) -> bool:
+        """Whether the deviations are still to be given."""
+        return not self.fit and (self.upper is None or self.lower is None)
+
+    @property
+    def frame(self) -> str:
+        """As ``Ø10 +0.02/-0.1`` or ``Ø10 H7``."""
+        size = self.feature.size
+        assert size is not None
+        sign = {"diameter": "Ø", "spherical diameter": "SØ"}.get(size.kind, "")
+        if self.open:
+            return f"{sign}{size.value:.6g} ?"
+        return f"{sign}{size.value:.6g} " + (self.fit or f"{self.upper:+g}/{self.lower:+g}")
+
+
+Specified = GeometricalTolerance | SizeTolerance
+
+
+def specify(
+    rows: Sequence[SpecificationRow], table: FeatureTable, letters: Letters
+) -> tuple[Specified, ...]:
+    """Tie the user's rows to features and datums.
+
+    Raises:
+        InputError: a row names what isn't there, or lacks what its characteristic needs.
+    """
+    return tuple(_specify(row, table, letters) for row in rows)
+
+
+def _specify(row: SpecificationRow, table: FeatureTable, letters: Letters) -> Specified:
+    found = chosen_features(table.features, row.feature)
+    if len(found) != 1:
+        names = ", ".join(feature.name for feature in found)
+        raise InputError(f"specification of {row.feature!r}: that is {names}; name one feature")
+    feature = found[0]
+    if row.characteristic == "size":
+        return _size_tolerance(row, feature)
+    name = next((c for c in RULES if c == row.characteristic), None)
+    if name is None:
+        raise InputError(f"{row.characteristic!r} is no characteristic of ISO 1101, nor 'size'")
+    if row.value is not None and row.value <= 0:
+        raise InputError(f"{name} of {row.feature!r} needs a value above 0, or none")
+    datums = parse_datums(row.datums, letters) if row.datums else ()
+    if datums and RULES[name].group == "form":
+        raise InputError(f"{name} of {row.feature!r}: a form tolerance takes no datum")
+    system = datum_system(datums, table.frame) if datums else None
+    permitted = permitted_specifications(feature, system)
+    rule = next(s for s in permitted if s.characteristic == name)
+    return GeometricalTolerance(
+        feature,
+        name,
+        row.value,
+        datums,
+        row.modifiers,
+        rule.prefix,
+        rule.reason if rule.status == "not allowed" else _modifier_remark(row, rule.modifiers),
+    )
+
+
+def _modifier_remark(row: SpecificationRow, permitted: tuple[str, ...]) -> str:
+    wrong = [m for m in row.modifiers if m not in permitted]
+    return f"{wrong[0]} doesn't go with it (ISO 2692)" if wrong else ""
+
+
+def _size_tolerance(row: SpecificationRow, feature: GpsFeature) -> SizeTolerance:
+    if feature.size is None:
+        raise InputError(f"size of {row.feature!r}: {feature.name} is no feature of size")
+    if row.fit:
+        if not feature.size.linear:
+            raise InputError(f"size of {row.feature!r}: a tolerance class is for linear sizes")
+        return SizeTolerance(feature, None, None, row.fit)
+    if (row.upper is None) != (row.lower is None):
+        raise InputError(f"size of {row.feature!r} needs both deviations, or none")
+    if row.upper is not None and row.lower is not None and row.lower > row.upper:
+        raise InputError(f"size of {row.feature!r}: the lower deviation is above the upper one")
+    return SizeTolerance(feature, row.lower, row.upper)

@@ -1,0 +1,108 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The user's table of tolerance values: JSON or CSV."""
+
+from __future__ import annotations
+
+import csv
+import io
+import json
+import math
+import re
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+from gpswb.errors import InputError
+from gpswb.gps.specified import SpecificationRow
+
+COLUMNS = ("feature", "characteristic", "value", "datums", "modifiers", "upper", "lower", "fit")
+_MODIFIERS = {"M": "Ⓜ", "L": "Ⓛ", "R": "Ⓡ", "Ⓜ": "Ⓜ", "Ⓛ": "Ⓛ", "Ⓡ": "Ⓡ"}
+_FIT = re.compile(r"(?:[A-HJ-NPR-VX-Z]|CD|EF|FG|JS|Z[ABC])(?:01|1[0-8]|[0-9])", re.IGNORECASE)
+_MOST_BYTES = 4_000_000
+
+
+def read_specifications(path: Path) -> tuple[SpecificationRow, ...]:
+    """Rows of a table: by suffix ``.json`` (a list of objects) or anything else as CSV.
+
+    Columns or keys are `COLUMNS`, of which only the first two are needed; lengths in mm.
+
+    Raises:
+        InputError: the file can't be read, or says something that isn't in the table's form.
+    """
+    try:
+        with path.open("rb") as file:
+            data = file.read(_MOST_BYTES + 1)
+    except OSError as error:
+        raise InputError(f"{path}: can't be read ({error.strerror})") from None
+    if len(data) > _MOST_BYTES:
+        raise InputError(f"{path}: a table of specifications has at most {_MOST_BYTES} bytes")
+    try:
+        text = data.decode("utf-8-sig")
+    except UnicodeDecodeError:
+        raise InputError(f"{path}: not UTF-8") from None
+    rows = _json(path, text) if path.suffix.lower() == ".json" else _csv(path, text)
+    return tuple(_row(path, number, row) for number, row in enumerate(rows, start=1))
+
+
+def _json(path: Path, text: str) -> list[Mapping[str, Any]]:
+    try:
+        rows = json.loads(text)
+    except (ValueError, RecursionError):
+        raise InputError(f"{path}: not JSON") from None
+    if not isinstance(rows, list) or not all(isinstance(row, dict) for row in rows):
+        raise InputError(f"{path}: a list of objects is expected, one a specification")
+    return rows
+
+
+def _csv(path: Path, text: str) -> list[Mapping[str, Any]]:
+    try:
+        return list(csv.DictReader(io.StringIO(text), strict=True))
+    except csv.Error as error:
+        raise InputError(f"{path}: not CSV ({error})") from None
+
+
+def _row(path: Path, number: int, row: Mapping[str, Any]) -> SpecificationRow:
+    where = f"{path}, specification {number}"
+    unknown = [str(key) for key in row if key not in COLUMNS]
+    if unknown:
+        raise InputError(f"{where}: {unknown[0]!r} is none of {', '.join(COLUMNS)}")
+    words = {key: _word(where, key, row.get(key)) for key in COLUMNS}
+    if not words["feature"] or not words["characteristic"]:
+        raise InputError(f"{where}: feature and characteristic are needed")
+    modifiers = [c for c in words["modifiers"].upper() if not c.isspace() and c not in ",()"]
+    wrong = [c for c in modifiers if c not in _MODIFIERS]
+    if wrong:
+        raise InputError(f"{where}: modifier {wrong[0]!r} is none of M, L, R")
+    if words["fit"] and not _FIT.fullmatch(words["fit"]):
+        raise InputError(f"{where}: {words['fit']!r} is no tolerance class as H7 or g6")
+    return SpecificationRow(
+        feature=words["feature"],
+        characteristic=words["characteristic"].lower(),
+        value=_number(where, "value", words["value"]),
+        datums=words["datums"],
+        modifiers=tuple(_MODIFIERS[c] for c in modifiers),
+        upper=_number(where, "upper", words["upper"]),
+        lower=_number(where, "lower", words["lower"]),
+        fit=words["fit"],
+    )
+
+
+def _word(where: str, key: str, value: Any) -> str:
+    if value is None:
+        return ""
+    if isinstance(value, bool) or not isinstance(value, str | int | float):
+        raise InputError(f"{where}: {key} is neither text nor a number")
+    return str(value).strip()
+
+
+def _number(where: str, key: str, text: str) -> float | None:
+    """A finite number, None for nothing and for ``?``: what isn't known isn't invented."""
+    if text in ("", "?"):
+        return None
+    try:
+        number = float(text)
+    except ValueError:
+        number = math.nan
+    if not math.isfinite(number):
+        raise InputError(f"{where}: {key} {text!r} is not a number")
+    return number
