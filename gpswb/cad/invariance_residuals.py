@@ -7,6 +7,7 @@ the class, 0 for a surface that the class's motions leave in place. Independent 
 
 from __future__ import annotations
 
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -24,7 +25,8 @@ class Fit:
 
     ``deviation`` is the largest distance, as a fraction of the surface's size, of the points from
     one surface of the class: what is left after the group's motions are divided out.
-    ``next_residual`` (helical only) is that of the second best motion.
+    ``next_residual`` (helical only) is that of the second best motion, ``turns`` how far the points
+    wind about the axis.
     """
 
     residual: float
@@ -34,39 +36,37 @@ class Fit:
     lead: float = 0.0
     radius: float = 0.0
     next_residual: float = 0.0
+    turns: float = 0.0
+
+
+FITTED: tuple[InvarianceClass, ...] = (
+    "planar", "spherical", "cylindrical", "prismatic", "revolute", "helical",
+)  # fmt: skip
+"""Most symmetric first: planar and cylindrical surfaces are prismatic, revolute and helical too."""
 
 
 def fit_classes(
-    points: FloatArray, normals: FloatArray, weights: FloatArray
+    points: FloatArray,
+    normals: FloatArray,
+    weights: FloatArray,
+    classes: Sequence[InvarianceClass] = FITTED,
 ) -> dict[InvarianceClass, Fit]:
-    """Fit every class but complex.
+    """Fit the classes asked for (any but complex).
 
     Args:
         points: (k, 3) mm, exact points.
         normals: (k, 3) exact unit normals.
         weights: (k,) area of each point, positive.
+        classes: which.
     """
     w = weights / weights.sum()
     centre = w @ points
     size = float(np.sqrt(w @ ((points - centre) ** 2).sum(axis=1)))
     p = (points - centre) / size
-    fits: dict[InvarianceClass, Fit] = {
-        "planar": _planar(p, normals, w),
-        "spherical": _spherical(p, normals, w),
-        "cylindrical": _cylindrical(p, normals, w),
-        "prismatic": _prismatic(p, normals, w),
-        "revolute": _revolute(p, normals, w),
-        "helical": _helical(p, normals, w),
-    }
+    fits = {name: _FITTERS[name](p, normals, w) for name in classes}
     return {
-        name: Fit(
-            f.residual,
-            f.deviation,
-            centre + size * f.point,
-            f.direction,
-            size * f.lead,
-            size * f.radius,
-            f.next_residual,
+        name: replace(
+            f, point=centre + size * f.point, lead=size * f.lead, radius=size * f.radius
         )
         for name, f in fits.items()
     }
@@ -195,7 +195,9 @@ def _screw_fit(p: FloatArray, n: FloatArray, w: FloatArray, screw: FloatArray) -
         height = z - pitch * phi
         section = np.column_stack([rho, height - lead * np.floor(height / lead)])
         normal = np.column_stack([(n @ x * u + n @ y * s) / np.maximum(rho, 1e-12), n @ d])
-    return Fit(residual, _thickness(section, normal), point, d, 2 * np.pi * pitch)
+    # Points that wind further about the axis than the lead tells are counted by their height.
+    turns = np.ptp(z) / abs(2 * np.pi * pitch) if abs(pitch) > 1e-12 else 0.0
+    return Fit(residual, _thickness(section, normal), point, d, 2 * np.pi * pitch, turns=turns)
 
 
 def _thickness(section: FloatArray, normal: FloatArray) -> float:
@@ -213,6 +215,16 @@ def _thickness(section: FloatArray, normal: FloatArray) -> float:
     length = np.linalg.norm(pair, axis=2)
     gap = np.abs((step * pair).sum(axis=2)) / np.maximum(length, 1e-12)
     return float(np.quantile(np.where(same, gap, 0.0).max(axis=1), 0.95))
+
+
+_FITTERS: dict[InvarianceClass, Callable[[FloatArray, FloatArray, FloatArray], Fit]] = {
+    "planar": _planar,
+    "spherical": _spherical,
+    "cylindrical": _cylindrical,
+    "prismatic": _prismatic,
+    "revolute": _revolute,
+    "helical": _helical,
+}
 
 
 def _across(d: FloatArray) -> tuple[FloatArray, FloatArray]:
