@@ -9,6 +9,7 @@ import os
 import sys
 from pathlib import Path
 
+import FreeCAD
 import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -18,6 +19,9 @@ NEED_PIP = {"cli", "report"}
 
 os.chdir(ROOT)
 sys.path.insert(0, str(ROOT))
+# A test that starts a process with sys.executable means this Python, not another freecadcmd.
+sys.executable = "/usr/bin/python3"
+os.environ["PYTHONPATH"] = f"{ROOT}:{FreeCAD.getHomePath()}lib"
 suites = [entry for entry in (ROOT / "tests").iterdir() if entry.is_dir()]
 status = pytest.main([str(s) for s in sorted(suites) if s.name not in {*NEED_PIP, "__pycache__"}])
 sys.stdout.flush()
