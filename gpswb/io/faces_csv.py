@@ -39,7 +39,7 @@ def write_faces(path: Path, faces: Sequence[FaceResult]) -> None:
                     face.name,
                     face.invariance_class or "",
                     face.true_class or "",
-                    "yes" if face.agrees else "no",
+                    "yes" if face.agrees else "no" if face.disagrees else "",
                     face.surface,
                     f"{face.area:.9g}",
                     f"{face.share:.6f}",

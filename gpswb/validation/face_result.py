@@ -51,6 +51,11 @@ class FaceResult:
         """The recognised class is the true one."""
         return self.true_class is not None and self.invariance_class == self.true_class
 
+    @property
+    def disagrees(self) -> bool:
+        """There is a true class, and it was not recognised."""
+        return self.true_class is not None and self.invariance_class != self.true_class
+
 
 def facet_classes(partition: Partition) -> IntArray:
     """(m,) int64 class of every facet as index into ``CLASSES``; -1 for a facet in no region."""

@@ -34,7 +34,7 @@ STRIP_TURN = 30.0
 FREEFORM = frozenset({"BSpline", "Bezier", "Offset", "Other"})
 
 KINDS: dict[str, str] = {
-    "no truth": "the CAD surface is missing or can't be evaluated; not counted in the figures",
+    "no truth": "the CAD surface is missing or can't be evaluated: no class to be judged by",
     "no triangles": "the mesher left the face without a triangle",
     "truth disputed": "exact truth and truth within tolerance differ, or there is no clear gap",
     "undecided": "wrong, but the result says so: the true class is among the candidates listed",
@@ -91,7 +91,7 @@ def explain_failures(
     """
     column = np.searchsorted(match.features, facemap.feature_of_face)
     found = match.region_of_feature[column] >= 0 if len(column) else np.zeros(0, dtype=bool)
-    bad = [i for i, face in enumerate(faces) if not face.agrees or not found[i]]
+    bad = [i for i, face in enumerate(faces) if face.disagrees or not found[i]]
     if not bad:
         return ()
     row = {region.id: index for index, region in enumerate(partition.regions)}
@@ -104,7 +104,7 @@ def explain_failures(
             Failure(
                 face=face.name,
                 kind=_kind(i, face, main, int(column[i]), facemap, geometry, match),
-                wrong_class=not face.agrees,
+                wrong_class=face.disagrees,
                 true_class=face.true_class,
                 recognised=face.invariance_class,
                 surface=face.surface,

@@ -105,7 +105,7 @@ def test_faces_csv(tmp_path: Path) -> None:
     with (tmp_path / "faces.csv").open(newline="", encoding="utf-8") as file:
         rows = list(csv.DictReader(file))
     assert [row["face"] for row in rows] == ["Face1", "Face2", "Face3"]
-    assert [row["agrees"] for row in rows] == ["yes", "yes", "no"]
+    assert [row["agrees"] for row in rows] == ["yes", "yes", ""]
     assert (rows[1]["class"], rows[1]["regions"], float(rows[1]["share"])) == (
         "cylindrical",
         "1",

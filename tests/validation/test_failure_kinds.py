@@ -146,7 +146,9 @@ def test_disputed_and_undecided_come_first() -> None:
 
 
 def test_no_truth_and_no_triangles() -> None:
-    partition, facemap = put_together(row_of_squares(1, FINE), [None], [0], ["planar"])
+    partition, facemap = put_together(row_of_squares(1, FINE), [None], [-1], [])
     bare = Face("Face2", 1.0, 0, truth("planar"))
     both = FaceMap(facemap.face_of_triangle, (*facemap.faces, bare), np.array([0, 1]))
     assert kinds(partition, both) == {"Face1": "no truth", "Face2": "no triangles"}
+    # Without a truth there is no wrong class, only a feature that was not found.
+    assert [f.wrong_class for f in validate(partition, both).failures] == [False, True]
