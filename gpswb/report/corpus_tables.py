@@ -33,7 +33,7 @@ def counts_sentence(rows: Sequence[PartRow]) -> str:
     return (
         f"{t.parts} files: {t.judged} judged ({t.faces} faces, {t.triangles} triangles), {bare} "
         f"without a face to judge, {t.refused} refused with one line, {t.failed} failed. "
-        f"Every face right in {t.all_right} parts."
+        f"Every face right in {t.all_right} parts. {t.surplus} regions match no feature."
     )
 
 
@@ -101,7 +101,17 @@ def parts_table(rows: Sequence[PartRow]) -> Table:
     """A row a file; no times, so that two runs give the same text."""
     return Table(
         "Per part",
-        ("file", "faces", "triangles", "area", "face", "F1", "wrong faces by kind"),
+        (
+            "file",
+            "faces",
+            "triangles",
+            "area",
+            "face",
+            "F1",
+            "features found",
+            "regions",
+            "wrong faces by kind",
+        ),
         tuple(_part(row) for row in rows),
     )
 
@@ -119,7 +129,7 @@ def _fraction(counts: tuple[int, int]) -> str:
 def _part(row: PartRow) -> tuple[str, ...]:
     if not row.judged:
         said = f"{row.status}: {row.message}" if row.message else "no face to judge"
-        return (row.name, "-", "-", "-", "-", "-", said)
+        return (row.name, *"-------", said)
     figures = row.figures
     counts: dict[str, int] = {}
     for failure in figures["failures"]:
@@ -134,5 +144,7 @@ def _part(row: PartRow) -> tuple[str, ...]:
         "-" if area is None else four(area),
         four(figures["face_accuracy"]),
         four(figures["region_f1"]),
+        f"{figures['found']}/{figures['features']}",
+        str(figures["regions"]),
         kinds,
     )

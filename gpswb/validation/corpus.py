@@ -54,7 +54,11 @@ class PartRow:
 
 @dataclass(frozen=True)
 class Totals:
-    """Means over the judged parts, and the same pooled over all their area, faces, features."""
+    """Means over the judged parts, and the same pooled over all their area, faces, features.
+
+    ``surplus`` counts the regions that match no feature: with the features not found they are what
+    F1 lacks.
+    """
 
     parts: int
     judged: int
@@ -69,6 +73,7 @@ class Totals:
     pooled_face: float
     pooled_f1: float
     all_right: int
+    surplus: int
 
 
 @dataclass(frozen=True)
@@ -123,6 +128,7 @@ def totals(rows: Sequence[PartRow]) -> Totals:
         pooled_area=ratio("right_area", "judged_area"),
         pooled_face=ratio("right_faces", "judged_faces"),
         pooled_f1=2.0 * sum(figures["found"] for figures in judged) / pieces if pieces else 0.0,
+        surplus=sum(figures["regions"] - figures["found"] for figures in judged),
         all_right=sum(figures["right_faces"] == figures["judged_faces"] for figures in judged),
     )
 

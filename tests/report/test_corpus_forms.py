@@ -87,11 +87,11 @@ def test_worst_part_comes_first_and_right_parts_not_at_all() -> None:
 
 def test_section_has_a_row_for_every_file_and_no_markup_of_theirs() -> None:
     section = corpus_section(ROWS, "density stl", "gpswb validate x")
-    assert "| bad.step | - | - | - | - | - | refused: not a STEP file |" in section
+    assert "| bad.step | - | - | - | - | - | - | - | refused: not a STEP file |" in section
     assert "<script>" not in section
     lines = [line for line in section.splitlines() if line.startswith("| a&#124;b")]
     assert len(lines) == 1
-    assert lines[0].count("|") == 8
+    assert lines[0].count("|") == 10
 
 
 def test_page_shows_every_file_and_runs_no_markup_of_theirs() -> None:
