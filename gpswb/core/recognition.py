@@ -157,7 +157,7 @@ def by_parsimony(
     evidence: Evidence, likelihoods: Mapping[InvarianceClass, float]
 ) -> InvarianceClass:
     """The most symmetric class that fits."""
-    return next(name for name in PARSIMONY if evidence.fits(name))
+    return next((name for name in PARSIMONY if evidence.fits(name)), "complex")
 
 
 def recognise(

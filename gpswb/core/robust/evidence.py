@@ -10,9 +10,11 @@ from gpswb.core.robust.growth import Grown
 from gpswb.core.robust.surfaces import distance
 from gpswb.core.robust.topology import FacetGraph
 
-LINES = 5
-"""Rulings that prove a cylinder or cone: any three parallel lines lie on one cylinder, and four of
-a symmetric profile do."""
+LINES = 4
+"""Rulings that make a cylinder or cone: any three parallel lines lie on one cylinder."""
+
+SURE_LINES = 5
+"""Rulings that prove it: four of a symmetric profile lie on one cylinder, too."""
 
 POINTS = 8
 """Vertices that prove a sphere (4 unknowns) or a torus (7)."""
@@ -35,7 +37,7 @@ def enough_evidence(mesh: Mesh, graph: FacetGraph, grown: Grown, tolerance: floa
             return False
     elif len(points) < POINTS:
         return False
-    if _sagitta(mesh, grown) < 20.0 * tolerance:
+    if sagitta(mesh, grown) < 20.0 * tolerance:
         return False
     return not drifts(mesh, graph, grown, tolerance)
 
@@ -51,7 +53,7 @@ def distinct_rulings(points: FloatArray, surface: FloatArray) -> int:
     return max(1, int((gaps > 1e-4).sum()))
 
 
-def _sagitta(mesh: Mesh, grown: Grown) -> float:
+def sagitta(mesh: Mesh, grown: Grown) -> float:
     """How far the region's vertices leave their mean plane, mm: a flat region proves no curvature."""
     points = mesh.vertices[np.unique(mesh.triangles[grown.facets])]
     x = points - points.mean(axis=0)

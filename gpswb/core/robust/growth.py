@@ -12,11 +12,11 @@ from gpswb.core.robust.fitting import fit, fit_patches
 from gpswb.core.robust.surfaces import Kind, distance, largest_curvature
 from gpswb.core.robust.topology import FacetGraph
 
-TURN_SHARE = 0.8
-"""A facet with its corners on a surface turns from it by at most about half the angle that its
-longest edge spans; more than this share of that angle means that it only touches the surface."""
+TURN_SHARE = 1.2
+"""A facet with its corners on a surface turns from it by about the angle that its circumradius
+spans, obtuse slivers included; much more means that it only touches the surface."""
 
-LARGEST_TURN = 0.9
+LARGEST_TURN = 1.25
 """Facets that turn by more (rad) say nothing: the caps of a cylinder have their rims on it."""
 
 REFITS = 4
@@ -58,9 +58,10 @@ def on_surface(
         cosine = cosine * side
     else:
         cosine = np.abs(cosine)
-    edge = np.linalg.norm(corners - np.roll(corners, 1, axis=1), axis=2).max(axis=1)
-    bend = edge * largest_curvature(kind, surface, centroids)
-    altitude = 2 * mesh.areas[facets] / np.maximum(edge, 1e-300)
+    edges = np.linalg.norm(corners - np.roll(corners, 1, axis=1), axis=2)
+    area = np.maximum(mesh.areas[facets], 1e-300)
+    bend = edges.prod(axis=1) / (4.0 * area) * largest_curvature(kind, surface, centroids)
+    altitude = 2.0 * area / np.maximum(edges.max(axis=1), 1e-300)
     # A sliver's normal is only known to tolerance / altitude.
     slack = 0.02 + 2.0 * tolerance / np.maximum(altitude, 1e-300)
     turn = np.arccos(np.clip(cosine, -1.0, 1.0))
@@ -129,6 +130,12 @@ def fit_facets(mesh: Mesh, kind: Kind, facets: IntArray) -> FloatArray:
         (mesh.facet_normals[facets] * share[:, None])[None],
     )
     return to_world(local, centre[None], np.array([scale]), kind)[0]
+
+
+def residual(mesh: Mesh, grown: Grown) -> float:
+    """Largest distance of a region's vertices from its surface, mm."""
+    corners = mesh.corners[grown.facets].reshape(1, -1, 3)
+    return float(np.abs(distance(grown.kind, grown.surface[None], corners)[0]).max(initial=0.0))
 
 
 def to_local(surface: FloatArray, centre: FloatArray, scale: FloatArray, kind: Kind) -> FloatArray:

@@ -13,11 +13,13 @@ from gpswb.core.mesh import BoolArray, IntArray, Mesh
 from gpswb.core.partition import Partition, Region
 from gpswb.core.projection import number_facet_regions
 from gpswb.core.recognition import recognise
-from gpswb.core.refine import refine_regions
 from gpswb.core.region_samples import confined_normals, region_samples
+from gpswb.core.robust.competition import compete
 from gpswb.core.robust.consensus import find_surfaces
 from gpswb.core.robust.describe import describe_surface
+from gpswb.core.robust.freeform import dissolve
 from gpswb.core.robust.growth import Grown, fit_facets, grow
+from gpswb.core.robust.leftover import label_leftover
 from gpswb.core.robust.polygons import certain_planes, coplanar_polygons
 from gpswb.core.robust.surfaces import Kind
 from gpswb.core.robust.topology import FacetGraph
@@ -55,14 +57,16 @@ def partition_robust(
     clock = StageClock(progress)
     first = initial_partition(mesh, sigma, tol, clock)
     with clock.stage("refine"):
-        surfaces = simple_surfaces(mesh, clock)
+        graph = FacetGraph.of(mesh)
+        polygon = coplanar_polygons(mesh, graph, TIERS[0] * mesh.diagonal)
+        surfaces = simple_surfaces(mesh, graph, polygon, clock)
         label = np.full(len(mesh.triangles), -1, dtype=np.int64)
         for i, grown in enumerate(surfaces):
             label[grown.facets] = i
-        label = _label_rest(mesh, first, label, len(surfaces), sigma, tol)
+        label, flat = label_leftover(mesh, graph, first, polygon, label, sigma, tol)
     with clock.stage("recognise"):
         region, count = number_facet_regions(label, mesh)
-        regions = _recognise(mesh, first, region, count, label, surfaces, sigma, tol)
+        regions = _recognise(mesh, first, region, count, label, flat, surfaces, sigma, tol)
     return Partition(
         mesh=mesh,
         shape_type=first.facet_type,
@@ -81,11 +85,11 @@ def partition_robust(
     )
 
 
-def simple_surfaces(mesh: Mesh, clock: StageClock) -> list[Grown]:
+def simple_surfaces(
+    mesh: Mesh, graph: FacetGraph, polygon: IntArray, clock: StageClock
+) -> list[Grown]:
     """Planes, cylinders, cones, spheres and tori with the connected facets that prove them."""
-    graph = FacetGraph.of(mesh)
     fine = TIERS[0] * mesh.diagonal
-    polygon = coplanar_polygons(mesh, graph, fine)
     certain = certain_planes(mesh, polygon, fine)
     whole = mesh.areas > 0.0
     free = whole & ~certain[polygon]
@@ -94,12 +98,22 @@ def simple_surfaces(mesh: Mesh, clock: StageClock) -> list[Grown]:
         tolerance = tier * mesh.diagonal
         found = [_regrow(mesh, graph, g, free, tolerance) for g in found]
         found += find_surfaces(mesh, graph, free, tolerance)
+        found = compete(mesh, graph, found, polygon, certain, fine)
+        free = whole & ~certain[polygon]
+        for g in found:
+            free[g.facets] = False
         clock.report("refine", (number + 1) / (len(TIERS) + 1))
+    found = dissolve(mesh, graph, found, whole & ~certain[polygon])
     planes = []
     order = np.argsort(polygon, kind="stable")
     bounds = np.searchsorted(polygon[order], np.arange(len(certain) + 1))
+    taken = np.zeros(len(whole), dtype=bool)
+    for g in found:
+        taken[g.facets] = True
     for i in np.flatnonzero(certain):
         facets = order[bounds[i] : bounds[i + 1]]
+        if taken[facets[0]]:
+            continue
         planes.append(Grown("plane", fit_facets(mesh, "plane", facets), facets))
     return planes + found
 
@@ -116,31 +130,13 @@ def _regrow(
     return more
 
 
-def _label_rest(
-    mesh: Mesh,
-    first: InitialPartition,
-    label: IntArray,
-    used: int,
-    sigma: float,
-    tolerances: Tolerances,
-) -> IntArray:
-    """Label what no simple surface explains: merged by slippage, apart from what is explained."""
-    rest = (label < 0) & (mesh.areas > 0.0)
-    if not rest.any():
-        return label
-    initial = np.where(rest, first.region, -1)
-    refined = refine_regions(mesh, initial, first.crease, sigma, tolerances)
-    out = label.copy()
-    out[rest] = used + refined[rest]
-    return out
-
-
 def _recognise(
     mesh: Mesh,
     first: InitialPartition,
     region: IntArray,
     count: int,
     label: IntArray,
+    flat: BoolArray,
     surfaces: list[Grown],
     sigma: float,
     tolerances: Tolerances,
@@ -150,17 +146,21 @@ def _recognise(
     for r, sample in enumerate(region_samples(mesh, region, count, normals)):
         merged = len(np.unique(first.region[sample.facets]))
         number = int(label[sample.facets[0]])
-        if number >= len(surfaces):
+        if number < len(surfaces):
+            grown = surfaces[number]
+        elif flat[sample.facets[0]]:
+            surface = fit_facets(mesh, "plane", sample.facets)
+            grown = Grown("plane", surface, sample.facets)
+        else:
             regions.append(recognise(r, sample, merged, sigma, tolerances))
             continue
-        grown = surfaces[number]
         name = CLASS_OF[grown.kind]
         found = recognise(r, sample, merged, sigma, tolerances, choose=lambda e, p, n=name: n)
-        surface, situation, intrinsic, residual = describe_surface(grown, sample.vertices)
+        kind, situation, intrinsic, residual = describe_surface(grown, sample.vertices)
         regions.append(
             replace(
                 found,
-                surface=surface,
+                surface=kind,
                 situation=situation,
                 intrinsic=intrinsic,
                 residual=residual,

@@ -1,0 +1,75 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Facets that two surfaces claim go to the one with more behind it."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from gpswb.core.mesh import BoolArray, IntArray, Mesh
+from gpswb.core.robust.growth import Grown, flood, residual
+from gpswb.core.robust.topology import FacetGraph
+
+KEPT = 0.5
+"""A region that loses more than this share of its facets to larger ones was a piece of them."""
+
+CREASED = 0.5
+"""Turning angle (rad) at which a flat polygon is not part of the curved region beside it: the
+coarsest usual export turns by that much."""
+
+
+def compete(
+    mesh: Mesh,
+    graph: FacetGraph,
+    found: list[Grown],
+    polygon: IntArray,
+    certain: BoolArray,
+    floor: float,
+) -> list[Grown]:
+    """Let the larger regions grow over the smaller ones that lie on their surfaces.
+
+    A small patch of a torus lies nearly on a cylinder; found first, it would block the torus. Flat
+    polygons may be taken only whole: two rings of a torus about its top lie in a plane, too.
+
+    Args:
+        mesh: the mesh.
+        graph: its adjacency.
+        found: regions, without common facets.
+        polygon: (m,) polygon of each facet.
+        certain: (k,) polygons that were taken for planes.
+        floor: least tolerance, mm; a region is grown to three times its own residual.
+
+    Returns:
+        The regions that are left, largest first, without common facets.
+    """
+    free = mesh.areas > 0.0
+    size = np.bincount(polygon, minlength=len(certain))
+    out: list[Grown] = []
+    for g in sorted(found, key=lambda g: -len(g.facets)):
+        own = g.facets[free[g.facets]]
+        if len(own) < max(1.0, KEPT * len(g.facets)):
+            continue
+        tolerance = max(3.0 * residual(mesh, g), floor)
+        facets = flood(mesh, graph, g.kind, g.surface, own, free, tolerance)
+        facets = np.union1d(facets, own)
+        flat = facets[certain[polygon[facets]]]
+        taken = np.bincount(polygon[flat], minlength=len(certain))
+        creased = _creased(graph, facets, polygon, certain)
+        part = certain[polygon[facets]] & ((taken < size) | creased)[polygon[facets]]
+        facets = facets[~part]
+        free[facets] = False
+        out.append(Grown(g.kind, g.surface, facets))
+    return out
+
+
+def _creased(
+    graph: FacetGraph, facets: IntArray, polygon: IntArray, certain: BoolArray
+) -> BoolArray:
+    """(k,) certain polygons that meet the rest of a region at a crease: they only touch it."""
+    inside = np.zeros(len(polygon), dtype=bool)
+    inside[facets] = True
+    a, b = graph.pairs.T
+    across = inside[a] & inside[b] & (polygon[a] != polygon[b])
+    across &= np.abs(graph.pair_dihedral) > CREASED
+    out = np.zeros(len(certain), dtype=bool)
+    out[polygon[graph.pairs[across]].ravel()] = True
+    return out & certain

@@ -1,0 +1,71 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Surfaces that were only seen in a freeform one: local fits that the mesh around drifts from."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from gpswb.core.mesh import BoolArray, Mesh
+from gpswb.core.robust.evidence import SURE_LINES, distinct_rulings, sagitta
+from gpswb.core.robust.growth import Grown, residual
+from gpswb.core.robust.topology import FacetGraph
+
+EXACT = 1000.0
+"""A region that bends by so many times its residual is exact: no freeform patch comes near."""
+
+SMOOTH = 0.35
+"""Turning angle (rad) below which a border may be one within a freeform surface."""
+
+SHARE = 0.4
+"""Share of a weak region's border that smoothly continues into unexplained facets, above which the
+region is a piece of what is unexplained. A true face ends at creases or at other true faces."""
+
+
+def dissolve(mesh: Mesh, graph: FacetGraph, found: list[Grown], whole: BoolArray) -> list[Grown]:
+    """Drop the weak regions that are pieces of something unexplained, until none is left.
+
+    Args:
+        mesh: the mesh.
+        graph: its adjacency.
+        found: regions, without common facets.
+        whole: (m,) facets that could be explained: those of no region are not, yet.
+    """
+    weak = [is_weak(mesh, g) for g in found]
+    unexplained = whole.copy()
+    for g in found:
+        unexplained[g.facets] = False
+    length = _edge_lengths(mesh)
+    keep = [True] * len(found)
+    changed = True
+    while changed:
+        changed = False
+        for i, g in enumerate(found):
+            if not (weak[i] and keep[i]):
+                continue
+            inside = np.zeros(len(whole), dtype=bool)
+            inside[g.facets] = True
+            neighbour = graph.neighbour[g.facets]
+            border = ~inside[np.maximum(neighbour, 0)] | (neighbour < 0)
+            smooth = border & (neighbour >= 0) & (np.abs(graph.dihedral[g.facets]) < SMOOTH)
+            smooth &= unexplained[np.maximum(neighbour, 0)]
+            edge = length[g.facets]
+            if edge[smooth].sum() > SHARE * edge[border].sum():
+                keep[i] = False
+                unexplained[g.facets] = True
+                changed = True
+    return [g for g, kept in zip(found, keep, strict=True) if kept]
+
+
+def is_weak(mesh: Mesh, grown: Grown) -> bool:
+    """Whether a region could be a piece of another surface: not exact, or of too few rulings."""
+    if sagitta(mesh, grown) < EXACT * residual(mesh, grown):
+        return True
+    if grown.kind not in ("cylinder", "cone"):
+        return False
+    points = mesh.vertices[np.unique(mesh.triangles[grown.facets])]
+    return distinct_rulings(points, grown.surface) < SURE_LINES
+
+
+def _edge_lengths(mesh: Mesh) -> np.ndarray:
+    c = mesh.corners
+    return np.linalg.norm(c[:, [1, 2, 0]] - c, axis=2)
