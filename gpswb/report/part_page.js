@@ -248,6 +248,7 @@ function validation() {
     ["kind", text("kind"), false, text("kind")],
     ["region", text("region"), true, (f) => f.region ?? -1],
   ], wrong, (f) => { if (f.region !== null) choose(f.region); }, (f) => f.region);
+  by("disagree").hidden = !wrong.length;
   by("wrong-note").textContent = [
     wrong.length ? "" : "Every face has the class of its CAD surface.",
     apart ? `Right class, but no region matches the feature at IoU 0.9: ${apart}.` : "",

@@ -155,6 +155,7 @@ class Views {
     const gl = this.gl;
     gl.useProgram(this.program);
     gl.enable(gl.DEPTH_TEST);
+    gl.depthFunc(gl.LEQUAL); // a sharp edge is drawn over the border that it coincides with
     gl.uniformMatrix3fv(this.at("turn"), false, this.turn());
     gl.uniform3fv(this.at("size"), this.size);
     const side = this.zoom * Math.min(width, height);
