@@ -65,9 +65,7 @@ def fit_classes(
     p = (points - centre) / size
     fits = {name: _FITTERS[name](p, normals, w) for name in classes}
     return {
-        name: replace(
-            f, point=centre + size * f.point, lead=size * f.lead, radius=size * f.radius
-        )
+        name: replace(f, point=centre + size * f.point, lead=size * f.lead, radius=size * f.radius)
         for name, f in fits.items()
     }
 

@@ -58,6 +58,7 @@ class BrepFace(Protocol):
         solid: 0-based solid that the face belongs to, -1 for a face in no solid.
         kind: kind of its CAD surface; None where it has only a triangulation.
         area: mm².
+        centre: (3,) centre of area, mm.
         elementary: closed form of the surface, for the five kinds that have one.
         edges: numbers of its edges.
         bounds: (u0, u1, v0, v1) of the trimmed face.
@@ -70,6 +71,8 @@ class BrepFace(Protocol):
     def kind(self) -> SurfaceKind | None: ...
     @property
     def area(self) -> float: ...
+    @property
+    def centre(self) -> FloatArray: ...
     @property
     def elementary(self) -> Elementary | None: ...
     @property

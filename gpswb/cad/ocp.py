@@ -80,12 +80,20 @@ class OcpFace:
         return _KINDS.get(self.surface.DynamicType().Name(), "Other")
 
     @cached_property
-    def area(self) -> float:
-        if self.surface is None:
-            return 0.0
+    def _mass(self) -> GProp_GProps:
         properties = GProp_GProps()
-        BRepGProp.SurfaceProperties_s(self.face, properties)
-        return abs(float(properties.Mass()))
+        if self.surface is not None:
+            BRepGProp.SurfaceProperties_s(self.face, properties)
+        return properties
+
+    @property
+    def area(self) -> float:
+        return abs(float(self._mass.Mass()))
+
+    @property
+    def centre(self) -> FloatArray:
+        point = self._mass.CentreOfMass()
+        return np.array([point.X(), point.Y(), point.Z()])
 
     @cached_property
     def bounds(self) -> tuple[float, float, float, float]:
@@ -156,7 +164,6 @@ class OcpFace:
             for degenerate in [BRep_Tool.Degenerated_s(edge)]
         ]
         return Patch(nodes, uv, np.ascontiguousarray(triangles), tuple(rims))
-
 
     def _side(
         self, edge: int, side: int, uv: FloatArray, nodes: IntArray, parameters: FloatArray

@@ -111,9 +111,7 @@ def split(
     edge, side, ends = mesh.edge[at], mesh.side[at], mesh.ends[at]
     parts: dict[str, list[np.ndarray]] = {}
     for (second, third), children in _CHILDREN.items():
-        rows = np.flatnonzero(
-            (marked[number[:, 1]] == second) & (marked[number[:, 2]] == third)
-        )
+        rows = np.flatnonzero((marked[number[:, 1]] == second) & (marked[number[:, 2]] == third))
         for child in children:
             pick = np.array(child)
             parts.setdefault("triangles", []).append(corner[rows][:, pick])
@@ -126,8 +124,7 @@ def split(
             parts.setdefault("side", []).append(s)
             parts.setdefault("ends", []).append(t)
     merged = {
-        name: np.concatenate([getattr(mesh, name)[~hit], *arrays])
-        for name, arrays in parts.items()
+        name: np.concatenate([getattr(mesh, name)[~hit], *arrays]) for name, arrays in parts.items()
     }
     return Tessellation(vertices=np.concatenate([mesh.vertices, points]), **merged)
 

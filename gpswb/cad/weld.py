@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from scipy.sparse import coo_matrix
@@ -12,7 +12,7 @@ from scipy.sparse.csgraph import connected_components
 
 from gpswb.cad.kernel import BrepFace, Patch
 from gpswb.cad.surface import outward_normals
-from gpswb.core.mesh import FloatArray, IntArray
+from gpswb.core.mesh import BoolArray, FloatArray, IntArray
 
 
 @dataclass(frozen=True, eq=False)
@@ -43,6 +43,11 @@ class Tessellation:
     side: IntArray
     ends: FloatArray
     free: IntArray
+
+    def subset(self, keep: BoolArray) -> Tessellation:
+        """The triangles where ``keep`` (m,) holds; the vertices stay all."""
+        names = ("triangles", "face", "uv", "normal", "edge", "side", "ends", "free")
+        return replace(self, **{name: getattr(self, name)[keep] for name in names})
 
     def side_lengths(self) -> FloatArray:
         """(m, 3) lengths of the sides, mm."""

@@ -1,0 +1,202 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Mesh a shape at the density asked for: choose the mesher, fall back where it fails."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass, field, replace
+
+import numpy as np
+
+from gpswb.cad.brepmesh import brepmesh
+from gpswb.cad.density import PRESETS, STL_DEFLECTION, Density
+from gpswb.cad.faced import FacedMesh, join
+from gpswb.cad.gmsh_mesher import gmsh_available, gmsh_body
+from gpswb.cad.kernel import Shape
+from gpswb.cad.refine import refine
+from gpswb.cad.sizing import SizeRule
+from gpswb.cad.stitch import outward, stitch
+from gpswb.cad.weld import Tessellation
+from gpswb.errors import InputError, KernelError
+
+Progress = Callable[[str, float], None]
+
+AUTO_TURN = 24
+"""Elements per full turn for density `auto`."""
+AUTO_DIVISIONS = 8
+"""Least number of elements across any curved face for density `auto`."""
+_COARSEST = 20
+"""No side is longer than this fraction of the part's diagonal where density follows curvature."""
+_START_DEFLECTION = 0.004
+"""Linear deflection of the mesh that refinement starts from, as a fraction of the diagonal. BRepMesh
+doesn't resolve edges below a tenth of it, so the angle alone can't be relied upon."""
+_ARC_FACTOR = 1.95
+"""BRepMesh cuts a full arc into sides of about half its angular deflection [measured]."""
+_CAP = 250_000
+"""Most triangles of a density that follows curvature."""
+_MOST = 20_000_000
+"""Most triangles of any density."""
+_UNIFORM_FACTOR = 1.35
+"""Longest side over mean side of a mesh that was refined by halving [measured]."""
+_COUNT_TOLERANCE, _COUNT_TRIES = 0.08, 5
+_STITCH = 1e-6
+"""Distance at which open borders are welded, as a fraction of the diagonal."""
+
+
+@dataclass
+class _Job:
+    """What the meshing of one shape has learnt so far."""
+
+    shape: Shape
+    progress: Progress | None
+    bodies: list[list[int]]
+    failed: dict[int, str] = field(default_factory=dict)
+    notes: list[str] = field(default_factory=list)
+    used: set[str] = field(default_factory=set)
+    start: Tessellation | None = None
+
+
+def tessellate(
+    shape: Shape, density: Density, progress: Progress | None = None
+) -> tuple[FacedMesh, str, tuple[str, ...]]:
+    """Mesh a shape.
+
+    Returns:
+        The mesh, the name of the mesher (or meshers), and notes for the user.
+
+    Raises:
+        InputError: the density would make more triangles than can be handled.
+    """
+    job = _Job(shape, progress, _bodies(shape))
+    if density.rule in ("stl", "deflection"):
+        linear, angular = STL_DEFLECTION
+        if density.rule == "deflection":
+            linear, angular = density.value, math.radians(density.angle_deg)
+        mesh = _finish(job, brepmesh(shape, linear, angular))
+        job.used.add("brepmesh")
+    elif density.rule in ("auto", "turn"):
+        mesh = _adaptive(job, density)
+    elif density.rule in ("vertices", "triangles"):
+        mesh = _counted(job, density)
+    elif density.rule == "edge":
+        mesh = _uniform(job, density.value, 0)
+    else:
+        fraction, turn = PRESETS[density.rule]
+        mesh = _uniform(job, shape.diagonal / fraction, turn)
+    for body, why in job.failed.items():
+        name = "free faces" if body < 0 else f"solid {body + 1}"
+        job.notes.append(f"{name}: {why}; meshed by BRepMesh and refinement instead")
+    return mesh, " and ".join(sorted(job.used)), tuple(job.notes)
+
+
+def _adaptive(job: _Job, density: Density) -> FacedMesh:
+    shape = job.shape
+    angle = 2 * math.pi / (density.value if density.rule == "turn" else AUTO_TURN)
+    start = brepmesh(shape, _START_DEFLECTION * shape.diagonal, min(_ARC_FACTOR * angle, 0.5))
+    rule = SizeRule(
+        max_length=shape.diagonal / _COARSEST,
+        max_turn=angle * 1.05,
+        divisions=AUTO_DIVISIONS if density.rule == "auto" else 0,
+        max_triangles=_CAP,
+    )
+    refined, capped = refine(start, shape, rule, job.progress)
+    job.used.add("brepmesh+refine")
+    if capped:
+        job.notes.append(f"refinement stopped at its cap of {_CAP} triangles")
+    return _finish(job, refined)
+
+
+def _counted(job: _Job, density: Density) -> FacedMesh:
+    """Near-uniform mesh with about so many vertices or triangles: the size is corrected by what
+    the last one gave, since small faces and curved borders take more than their share."""
+    wanted = density.value
+    area = sum(face.area for face in job.shape.faces)
+    per_triangle = 0.5 if density.rule == "vertices" else 1.0
+    size = math.sqrt(4 / math.sqrt(3) * area * per_triangle / wanted)
+    best: tuple[float, FacedMesh] | None = None
+    for _ in range(_COUNT_TRIES):
+        mesh = _uniform(job, size, 0)
+        count = len(mesh.vertices if density.rule == "vertices" else mesh.triangles)
+        error = abs(math.log(max(count, 1) / wanted))
+        if best is None or error < best[0]:
+            best = error, mesh
+        if error <= _COUNT_TOLERANCE:
+            break
+        size *= math.sqrt(max(count, 1) / wanted)
+    assert best is not None
+    if best[0] > 0.15:
+        mesh = best[1]
+        count = len(mesh.vertices if density.rule == "vertices" else mesh.triangles)
+        job.notes.append(
+            f"asked for {int(wanted)} {density.rule}, got {count}: the nearest that was found"
+        )
+    return best[1]
+
+
+def _uniform(job: _Job, size: float, turn: int) -> FacedMesh:
+    """Edge length ``size`` (mm) everywhere; shorter where a full turn would get fewer than ``turn``
+    elements (0: never)."""
+    area = sum(face.area for face in job.shape.faces)
+    expected = 4 / math.sqrt(3) * area / size**2
+    if expected > _MOST:
+        raise InputError(
+            f"an edge length of {size:.3g} mm would make about {expected:.2g} triangles; "
+            f"at most {_MOST} are possible"
+        )
+    meshes: list[FacedMesh] = []
+    for k, faces in enumerate(job.bodies):
+        body = job.shape.faces[faces[0]].solid
+        mesh = None
+        if gmsh_available() and body not in job.failed:
+            try:
+                mesh = gmsh_body(job.shape, faces, size, turn, 60 + expected / 2000)
+                job.used.add("gmsh")
+            except KernelError as error:
+                job.failed[body] = str(error)
+        if mesh is None:
+            mesh = _uniform_fallback(job, faces, size, turn)
+        meshes.append(_repair(job, mesh))
+        if job.progress is not None:
+            job.progress("tessellate", (k + 1) / len(job.bodies))
+    return join(meshes)
+
+
+def _uniform_fallback(job: _Job, faces: list[int], size: float, turn: int) -> FacedMesh:
+    if job.start is None:
+        job.start = brepmesh(job.shape, _START_DEFLECTION * job.shape.diagonal, 0.5)
+    inside = np.zeros(len(job.shape.faces), dtype=bool)
+    inside[faces] = True
+    start = job.start.subset(inside[job.start.face])
+    rule = SizeRule(
+        max_length=_UNIFORM_FACTOR * size,
+        max_turn=1.05 * 2 * math.pi / turn if turn else math.inf,
+        graded=False,
+        max_triangles=_MOST,
+    )
+    refined, _ = refine(start, job.shape, rule, None)
+    job.used.add("brepmesh+refine")
+    return FacedMesh(refined.vertices, refined.triangles, refined.face).compact()
+
+
+def _finish(job: _Job, mesh: Tessellation) -> FacedMesh:
+    whole = FacedMesh(mesh.vertices, mesh.triangles, mesh.face)
+    body_of_face = np.array([face.solid for face in job.shape.faces])
+    parts = []
+    for faces in job.bodies:
+        mine = body_of_face[whole.face] == job.shape.faces[faces[0]].solid
+        part = replace(whole, triangles=whole.triangles[mine], face=whole.face[mine])
+        parts.append(_repair(job, part.compact()))
+    return join(parts)
+
+
+def _repair(job: _Job, mesh: FacedMesh) -> FacedMesh:
+    return outward(stitch(mesh, _STITCH * job.shape.diagonal))
+
+
+def _bodies(shape: Shape) -> list[list[int]]:
+    """Faces of each solid, the free faces (solid -1) last."""
+    groups: dict[int, list[int]] = {}
+    for i, face in enumerate(shape.faces):
+        groups.setdefault(face.solid, []).append(i)
+    return [groups[k] for k in sorted(groups, key=lambda k: (k < 0, k))]
