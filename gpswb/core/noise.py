@@ -13,15 +13,17 @@ from gpswb.core.wedges import Wedges
 
 _SAMPLES = 2000
 _MOST = 24
+_SHAPE = 0.1  # a rest below this share of kappa^2 r^3 may be the surface's own shape
 
 
 def estimate_noise(mesh: Mesh, wedges: Wedges, normals: FloatArray) -> float:
     """Standard deviation of the vertices across the surface, mm.
 
     At sampled vertices away from creases a full quadric of the tangent plane is fitted to the two
-    rings around; what is left, with the six fitted degrees of freedom taken off, is noise plus the
-    surface's third derivatives. The lower quartile over the samples is taken: the flattest quarter
-    of the part decides, on which a nominal mesh leaves rounding only.
+    rings around; what is left, with the six fitted degrees of freedom taken off, is noise, unless
+    it is so small beside the curvature that it may be the surface's third derivatives. The lower
+    quartile over the samples is taken: the flattest quarter of the part decides, on which a nominal
+    mesh leaves rounding only.
 
     Args:
         mesh: the mesh.
@@ -68,4 +70,7 @@ def estimate_noise(mesh: Mesh, wedges: Wedges, normals: FloatArray) -> float:
     fitted = np.linalg.solve(gram, right[:, :, None])[:, :, 0]
     rest = height - np.einsum("skc,sc->sk", design, fitted)
     variance = (rest**2).sum(axis=1) / np.maximum(count - 6, 1)
-    return float(np.sqrt(np.quantile(variance, 0.25)))
+    # kappa r^2 from the second derivatives: a smooth surface leaves a share of kappa^2 r^3.
+    bend = np.sqrt(4.0 * (fitted[:, 3] ** 2 + fitted[:, 5] ** 2) + 2.0 * fitted[:, 4] ** 2)
+    shape = _SHAPE * bend**2 / scale[:, 0]
+    return float(np.sqrt(np.quantile(np.where(variance > shape**2, variance, 0.0), 0.25)))

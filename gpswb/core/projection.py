@@ -4,6 +4,8 @@
 from __future__ import annotations
 
 import numpy as np
+from scipy.sparse import coo_matrix
+from scipy.sparse.csgraph import dijkstra
 
 from gpswb.core.growing import grow_regions, number_by_first
 from gpswb.core.mesh import BoolArray, FloatArray, IntArray, Mesh
@@ -63,7 +65,7 @@ def vertices_from_facets(
 
 
 def fill_facets(label: IntArray, mesh: Mesh) -> IntArray:
-    """Give facets without label (-1) that of the neighbour they turn least from, ring by ring.
+    """Give facets without label (-1) that of the facet that is reached with the least turning.
 
     Connected facets that no label reaches get new labels, one for each component.
 
@@ -72,18 +74,16 @@ def fill_facets(label: IntArray, mesh: Mesh) -> IntArray:
         mesh: the mesh.
     """
     label = label.copy()
-    first, second = mesh.facet_pairs.T
-    facet = np.concatenate([first, second])
-    neighbour = np.concatenate([second, first])
-    # Ascending angle, written in reverse: the least angle is written last and stays.
-    order = np.argsort(-np.tile(turning_angles(mesh), 2), kind="stable")
-    facet, neighbour = facet[order], neighbour[order]
-    while True:
-        reached = (label[facet] < 0) & (label[neighbour] >= 0)
-        if not reached.any():
-            break
-        label[facet[reached]] = label[neighbour[reached]]
-        facet, neighbour = facet[~reached], neighbour[~reached]
+    seeds = np.flatnonzero(label >= 0)
+    if 0 < len(seeds) < len(label):
+        # A step costs little beside a turn, so that labels run along surfaces first.
+        cost = 1e-3 + turning_angles(mesh)
+        row, col = mesh.facet_pairs.T
+        graph = coo_matrix((cost, (row, col)), shape=(len(label), len(label))).tocsr()
+        _, _, source = dijkstra(
+            graph, directed=False, indices=seeds, min_only=True, return_predecessors=True
+        )
+        label = np.where(source >= 0, label[np.maximum(source, 0)], -1)
     left = label < 0
     component, _ = grow_regions(left.astype(np.int64), mesh.facet_pairs)
     return np.where(left, component + label.max(initial=-1) + 1, label)
