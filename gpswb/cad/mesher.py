@@ -17,7 +17,7 @@ from gpswb.cad.kernel import Shape
 from gpswb.cad.refine import refine
 from gpswb.cad.sizing import SizeRule
 from gpswb.cad.stitch import outward, stitch
-from gpswb.cad.weld import Tessellation
+from gpswb.cad.weld import Tessellation, weld
 from gpswb.errors import InputError, KernelError
 
 Progress = Callable[[str, float], None]
@@ -69,7 +69,13 @@ def tessellate(
         InputError: the density would make more triangles than can be handled.
     """
     job = _Job(shape, progress, _bodies(shape))
-    if density.rule in ("stl", "deflection"):
+    bare = sum(face.kind is None for face in shape.faces)
+    if bare:
+        job.notes.append(f"{bare} faces have no surface, only a triangulation: it is kept as it is")
+    if bare == len(shape.faces):
+        mesh = _finish(job, weld(shape.tessellate(1.0, 0.5), shape.faces))
+        job.used.add("the file's own triangulation")
+    elif density.rule in ("stl", "deflection"):
         linear, angular = STL_DEFLECTION
         if density.rule == "deflection":
             linear, angular = density.value, math.radians(density.angle_deg)
@@ -148,7 +154,8 @@ def _uniform(job: _Job, size: float, turn: int) -> FacedMesh:
     for k, faces in enumerate(job.bodies):
         body = job.shape.faces[faces[0]].solid
         mesh = None
-        if gmsh_available() and body not in job.failed:
+        surfaces = all(job.shape.faces[i].kind is not None for i in faces)
+        if gmsh_available() and surfaces and body not in job.failed:
             try:
                 mesh = gmsh_body(job.shape, faces, size, turn, 60 + expected / 2000)
                 job.used.add("gmsh")

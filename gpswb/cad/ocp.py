@@ -86,8 +86,12 @@ class OcpFace:
             BRepGProp.SurfaceProperties_s(self.face, properties)
         return properties
 
-    @property
+    @cached_property
     def area(self) -> float:
+        if self.surface is None:
+            patch = self.patch()
+            a, b, c = (patch.nodes[patch.triangles[:, k]] for k in range(3))
+            return float(np.linalg.norm(np.cross(b - a, c - a), axis=1).sum() / 2)
         return abs(float(self._mass.Mass()))
 
     @property
@@ -230,6 +234,9 @@ class OcpShape:
         for face in self.faces:
             if face.surface is not None:
                 BRepBndLib.Add_s(face.face, box, False)
+            else:
+                for x, y, z in face.patch().nodes.tolist():
+                    box.Add(gp_Pnt(x, y, z))
         return 0.0 if box.IsVoid() else float(box.SquareExtent()) ** 0.5
 
     def tessellate(self, linear: float, angular: float) -> list[Patch]:

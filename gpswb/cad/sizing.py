@@ -74,6 +74,9 @@ class Sizing:
         size = length / self._rule.max_length
         for f, rows in _by_face(mesh.face):
             face = self._shape.faces[f]
+            if face.kind is None:
+                size[rows] = 0.0  # Without a surface there is nowhere to put a new vertex.
+                continue
             stretch = 1.0
             if _curved(face):
                 stretch = _STRETCH
