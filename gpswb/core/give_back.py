@@ -70,8 +70,6 @@ def give_back(
     """
     region = region.copy()
     surfaces = _surfaces(mesh, region, crease, sigma, tolerances)
-    if not surfaces:
-        return region
     known = np.zeros(int(region.max(initial=-1)) + 1, dtype=bool)
     known[list(surfaces)] = True
     pairs = mesh.facet_pairs[~crease]

@@ -145,7 +145,7 @@ def weigh(
         },
         distance=allowed,
         # Where a region ends, corner normals are off by up to half a facet's turning.
-        angle=max(2e-3, sample.turning**2 / 16.0, 4.0 * noise),
+        angle=max(2e-3, sample.turning**2 / 6.0, 4.0 * noise),
     )
 
 
