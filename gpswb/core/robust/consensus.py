@@ -14,7 +14,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from gpswb.core.mesh import BoolArray, FloatArray, IntArray, Mesh
-from gpswb.core.robust.evidence import drifts, enough_evidence
+from gpswb.core.robust.evidence import drifts, enough_evidence, sagitta
 from gpswb.core.robust.fitting import fit_patches
 from gpswb.core.robust.growth import Grown, fit_facets, flood, grow, to_world
 from gpswb.core.robust.patches import Patches, patches_around
@@ -26,6 +26,9 @@ CREASE = np.deg2rad(40.0)
 
 KINDS: tuple[Kind, ...] = ("cylinder", "cone", "sphere", "torus")
 """Ruled kinds first: two rings of vertices lie on a cylinder or cone, but also on spheres."""
+
+SIMPLER = 3e-4
+"""Share of a region's height that a simpler surface may leave: less than any modelled draft."""
 
 BATCH = 256
 """Patches fitted together: enough to spread numpy's overhead, few enough for the cache."""
@@ -113,17 +116,19 @@ def simplest(
 ) -> Grown:
     """Grow a hypothesis; where a simpler kind explains all that it found, grow that instead.
 
-    Two coaxial rings of vertices lie on a sphere, but also on a cylinder or cone.
+    Two coaxial rings of vertices lie on a sphere, but also on a cylinder or cone; a torus without
+    a hole to speak of is a sphere.
     """
     grown = grow(mesh, graph, h.kind, h.surface, np.array([h.seed]), free, tolerance)
     if not len(grown.facets):
         return grown
+    limit = max(tolerance, min(4.0 * tolerance, SIMPLER * sagitta(mesh, grown)))
     for kind in KINDS[: KINDS.index(h.kind)]:
         surface = fit_facets(mesh, kind, grown.facets)
         points = mesh.vertices[np.unique(mesh.triangles[grown.facets])]
         d, _ = distance(kind, surface[None], points[None])
-        if np.abs(d).max() <= tolerance:
-            other = grow(mesh, graph, kind, surface, grown.facets, free, tolerance)
+        if np.abs(d).max() <= limit:
+            other = grow(mesh, graph, kind, surface, grown.facets, free, limit)
             if len(other.facets) >= len(grown.facets):
                 return other
     return grown

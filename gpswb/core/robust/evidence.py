@@ -19,9 +19,13 @@ SURE_LINES = 5
 POINTS = 8
 """Vertices that prove a sphere (4 unknowns) or a torus (7)."""
 
-DRIFT = 30.0
+PROFILE = 5
+"""Different places on the tube that prove a torus: any three rings of vertices lie on one torus,
+and four of a symmetric profile do."""
+
+DRIFT = 3.0
 """Outside a true border vertices leave the surface at once; on a freeform surface they drift away:
-their distance stays within so many tolerances."""
+their distance stays within so many tolerances, or within the chord error of the facets inside."""
 
 DRIFT_SHARE = 0.3
 """Share of drifting border edges that disproves a surface."""
@@ -37,6 +41,8 @@ def enough_evidence(mesh: Mesh, graph: FacetGraph, grown: Grown, tolerance: floa
             return False
     elif len(points) < POINTS:
         return False
+    elif grown.kind == "torus" and distinct_places(points, grown.surface) < PROFILE:
+        return False
     if sagitta(mesh, grown) < 20.0 * tolerance:
         return False
     return not drifts(mesh, graph, grown, tolerance)
@@ -49,8 +55,22 @@ def distinct_rulings(points: FloatArray, surface: FloatArray) -> int:
     e1 /= np.linalg.norm(e1)
     x = points - surface[:3]
     angle = np.sort(np.arctan2(x @ np.cross(u, e1), x @ e1))
+    return _distinct(angle)
+
+
+def distinct_places(points: FloatArray, surface: FloatArray) -> int:
+    """Number of different angles about a torus's tube at which (n, 3) points lie."""
+    x = points - surface[:3]
+    t = x @ surface[3:6]
+    rho = np.linalg.norm(x - np.outer(t, surface[3:6]), axis=1)
+    return _distinct(np.sort(np.arctan2(t, rho - surface[6])))
+
+
+def _distinct(angle: FloatArray) -> int:
+    """Number of clusters of sorted angles, told apart by a small part of what they span."""
     gaps = np.diff(np.r_[angle, angle[0] + 2 * np.pi])
-    return max(1, int((gaps > 1e-4).sum()))
+    span = 2 * np.pi - float(gaps.max())
+    return max(1, int((gaps > max(1e-3 * span, 1e-9)).sum()))
 
 
 def sagitta(mesh: Mesh, grown: Grown) -> float:
@@ -73,5 +93,6 @@ def drifts(mesh: Mesh, graph: FacetGraph, grown: Grown, tolerance: float) -> boo
         return False
     d, _ = distance(grown.kind, grown.surface[None], mesh.corners[outside].reshape(1, -1, 3))
     far = np.abs(d).reshape(-1, 3).max(axis=1)
-    slow = (far > tolerance) & (far < DRIFT * tolerance)
+    chord, _ = distance(grown.kind, grown.surface[None], mesh.centroids[grown.facets][None])
+    slow = (far > tolerance) & (far < max(DRIFT * tolerance, float(np.median(np.abs(chord)))))
     return float(slow.mean()) >= DRIFT_SHARE
