@@ -72,7 +72,8 @@ def slip_of(
     """Mean squared sine of the angle between a class's motions and the surface; 0 for complex.
 
     Averaged over the directions that the motions span at each point: both tangent directions for
-    planar, spherical and cylindrical, the one direction of motion for the others.
+    planar, spherical and cylindrical, the one direction of motion for the others. Rotations weigh
+    points by their squared speed: on the axis itself no direction is defined.
     """
     share = weights / max(float(weights.sum()), 1e-300)
     if invariance_class == "complex":
@@ -89,11 +90,11 @@ def slip_of(
     circular = np.cross(direction, ray)
     if invariance_class == "helical":
         circular = circular + reference.lead / (2.0 * np.pi) * direction
-    speed = np.maximum(np.linalg.norm(circular, axis=1), 1e-300)
-    turning = (np.einsum("ij,ij->i", normals, circular) / speed) ** 2
+    across = share @ np.einsum("ij,ij->i", normals, circular) ** 2
+    speed = max(float(share @ np.einsum("ij,ij->i", circular, circular)), 1e-300)
     if invariance_class == "cylindrical":
-        return float(0.5 * (share @ along**2 + share @ turning))
-    return float(share @ turning)
+        return float(0.5 * (share @ along**2 + across / speed))
+    return float(across / speed)
 
 
 def weigh(

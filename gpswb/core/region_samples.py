@@ -8,10 +8,14 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from gpswb.core.facet_edges import facet_edges
 from gpswb.core.mesh import BoolArray, FloatArray, IntArray, Mesh
 from gpswb.core.normals import wedge_normals
 from gpswb.core.sharp_edges import turning_angles
 from gpswb.core.wedges import find_wedges
+
+_SINGULAR = 1.5  # turns of the facet's edges that a normal may be off before it is not believed
+_ROUNDING = 0.02  # rad, for facets that turn by nothing
 
 
 @dataclass(frozen=True, eq=False)
@@ -50,7 +54,23 @@ def confined_normals(mesh: Mesh, region: IntArray, crease: BoolArray) -> FloatAr
     """
     border = region[mesh.facet_pairs[:, 0]] != region[mesh.facet_pairs[:, 1]]
     wedges = find_wedges(mesh, crease | border)
-    return wedge_normals(mesh, wedges)[wedges.of_corner]
+    normals = wedge_normals(mesh, wedges)[wedges.of_corner]
+    return _without_apexes(mesh, normals, crease | border)
+
+
+def _without_apexes(mesh: Mesh, normals: FloatArray, crease: BoolArray) -> FloatArray:
+    """Facet normals where a vertex has none: at the apex of a cone, say.
+
+    On a smooth surface a vertex normal is off its facet's by less than the facet's edges turn. At
+    an apex the mean of all sides points along the axis, far off each of them.
+    """
+    angle = np.where(crease, 0.0, turning_angles(mesh))
+    edge_of, _ = facet_edges(mesh)
+    turning = np.where(edge_of >= 0, np.append(angle, 0.0)[edge_of], 0.0).max(axis=1)
+    sine = np.linalg.norm(np.cross(normals, mesh.facet_normals[:, None]), axis=2)
+    cosine = np.einsum("fki,fi->fk", normals, mesh.facet_normals)
+    singular = np.arctan2(sine, cosine) > _SINGULAR * turning[:, None] + _ROUNDING
+    return np.where(singular[:, :, None], mesh.facet_normals[:, None], normals)
 
 
 def region_samples(

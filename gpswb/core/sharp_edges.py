@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from gpswb.core.facet_edges import facet_edges
 from gpswb.core.mesh import BoolArray, FloatArray, IntArray, Mesh
 from gpswb.core.tolerances import Tolerances
 
@@ -68,7 +69,7 @@ def feature_edges(mesh: Mesh, tolerances: Tolerances | None = None) -> BoolArray
         return sharp
     height = _heights(mesh)
     rate = np.where(sharp, 0.0, angle / np.maximum(height.min(axis=1), 1e-300))
-    edge_of, beyond = _facet_edges(mesh)
+    edge_of, beyond = facet_edges(mesh)
     expected = np.zeros(len(doubtful))
     nearby = np.full((len(doubtful), 18), np.nan)
     for side in (0, 1):
@@ -114,20 +115,3 @@ def _heights(mesh: Mesh) -> FloatArray:
     length = np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1)
     height: FloatArray = 2.0 * mesh.areas[mesh.facet_pairs] / np.maximum(length, 1e-300)[:, None]
     return height
-
-
-def _facet_edges(mesh: Mesh) -> tuple[IntArray, IntArray]:
-    """Row of ``facet_pairs`` and facet across, for up to three edges of each facet: (m, 3); -1:
-    none."""
-    m, e = len(mesh.triangles), len(mesh.facet_pairs)
-    facet = mesh.facet_pairs.T.ravel()
-    other = mesh.facet_pairs[:, ::-1].T.ravel()
-    row = np.tile(np.arange(e, dtype=np.int64), 2)
-    order = np.argsort(facet, kind="stable")
-    counts = np.bincount(facet, minlength=m)
-    slot = np.arange(2 * e) - np.repeat(np.cumsum(counts) - counts, counts)
-    edge_of = np.full((m, 3), -1, dtype=np.int64)
-    beyond = np.full((m, 3), -1, dtype=np.int64)
-    edge_of[facet[order], slot] = row[order]
-    beyond[facet[order], slot] = other[order]
-    return edge_of, beyond

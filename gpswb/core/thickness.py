@@ -33,7 +33,7 @@ def thickness(points: FloatArray, invariance_class: InvarianceClass, reference: 
     if len(points) < 6:
         return 0.0
     offset, _ = _profile_offsets(quotient, None)
-    return float(np.sqrt(np.mean(offset**2)))
+    return float(np.sqrt(np.mean(offset**2))) if len(offset) else 0.0
 
 
 def refine_reference(
@@ -58,7 +58,7 @@ def refine_reference(
         quotient = quotient_coordinates(points, invariance_class, trial)
         jacobian = _quotient_jacobian(points, invariance_class, trial)
         offset, change = _profile_offsets(quotient, jacobian)
-        cost = float(offset @ offset)
+        cost = float(np.mean(offset**2)) if len(offset) else np.inf
         if not cost < least:
             break
         best, least = trial, cost
@@ -74,7 +74,8 @@ def refine_reference(
 def _profile_offsets(
     quotient: FloatArray, jacobian: FloatArray | None
 ) -> tuple[FloatArray, FloatArray | None]:
-    """Signed distances of sampled points (s,) to the quadratic through their neighbours.
+    """Signed distances (s,) of sampled points between their neighbours to the quadratic through
+    them.
 
     With the Jacobian (n, 2, q) of the quotient coordinates, also that of the distances (s, q): the
     fit is linear in the neighbours' offsets, so its weights carry over.
@@ -85,12 +86,16 @@ def _profile_offsets(
     _, near = cKDTree(quotient).query(quotient[sample], k=k + 1)
     near = np.where(near == sample[:, None], near[:, [-1]], near)[:, :k]
     relative = quotient[near] - quotient[sample][:, None]
-    centred = relative - relative.mean(axis=1, keepdims=True)
-    covariance = np.einsum("ska,skb->sab", centred, centred)
+    # About the mean of the neighbours and the sample itself, which lies at the origin here.
+    mean = relative.sum(axis=1, keepdims=True) / (k + 1.0)
+    covariance = np.einsum("ska,skb->sab", relative - mean, relative - mean)
+    covariance = covariance + np.swapaxes(mean, 1, 2) @ mean
     angle = 0.5 * np.arctan2(2 * covariance[:, 0, 1], covariance[:, 0, 0] - covariance[:, 1, 1])
     tangent = np.column_stack([np.cos(angle), np.sin(angle)])
     normal = np.column_stack([-tangent[:, 1], tangent[:, 0]])
     along = np.einsum("ska,sa->sk", relative, tangent)
+    # At an end of the profile, or beyond a gap, there is nothing to interpolate.
+    inner = (along.min(axis=1) <= 0.0) & (along.max(axis=1) >= 0.0)
     scale = np.maximum(np.abs(along).max(axis=1, keepdims=True), 1e-300)
     along = along / scale
     design = np.stack([np.ones_like(along), along, along**2], axis=2)
@@ -99,11 +104,11 @@ def _profile_offsets(
     gram = np.swapaxes(design, 1, 2) @ design + 1e-6 * k * np.diag([0.0, 1.0, 1.0])
     weight = np.linalg.solve(gram, np.swapaxes(design, 1, 2))[:, 0]
     across = np.einsum("ska,sa->sk", relative, normal)
-    offset: FloatArray = -np.einsum("sk,sk->s", weight, across)
+    offset: FloatArray = -np.einsum("sk,sk->s", weight, across)[inner]
     if jacobian is None:
         return offset, None
-    mean = np.einsum("sk,skaq->saq", weight, jacobian[near])
-    change: FloatArray = np.einsum("sa,saq->sq", normal, jacobian[sample] - mean)
+    predicted = np.einsum("sk,skaq->saq", weight, jacobian[near])
+    change: FloatArray = np.einsum("sa,saq->sq", normal, jacobian[sample] - predicted)[inner]
     return offset, change
 
 

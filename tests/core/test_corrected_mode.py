@@ -199,3 +199,18 @@ def test_every_solid_facet_has_a_region_and_the_counts_agree() -> None:
     for number, region in enumerate(EXPECTED.regions):
         assert region.id == number
         assert region.triangles == (EXPECTED.region == number).sum()
+
+
+@pytest.mark.parametrize("slope", [0.25, 1.0, 1.7])
+@pytest.mark.parametrize("rows", [1, 6])
+def test_a_cone_with_its_apex_is_revolute(slope: float, rows: int) -> None:
+    def surface(u: FloatArray, v: FloatArray) -> FloatArray:
+        t, z = TURN * u, 10.0 * v
+        rho = slope * (10.0 - z)
+        return np.column_stack([rho * np.cos(t), rho * np.sin(t), z])
+
+    found = corrected(weld(sheet(surface, 24, rows)))
+    assert [(r.invariance_class, r.surface) for r in found.regions] == [("revolute", "cone")]
+    half_angle = np.degrees(np.arctan(slope))
+    assert found.regions[0].intrinsic["half_angle_deg"] == pytest.approx(half_angle, rel=1e-3)
+    assert found.regions[0].situation["point"] == pytest.approx([0.0, 0.0, 10.0], abs=1e-3)
