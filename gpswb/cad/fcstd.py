@@ -1,0 +1,106 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The shapes of a FreeCAD document, read from its archive without opening the document.
+
+Opening a document in FreeCAD restores the Python objects in it; a file is untrusted, so only its
+XML and its BREP members are read.
+"""
+
+from __future__ import annotations
+
+import zipfile
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+from xml.etree import ElementTree
+
+import numpy as np
+
+from gpswb.core.mesh import FloatArray
+from gpswb.errors import InputError
+
+_MOST_BYTES = 2_000_000_000
+_MOST_XML = 200_000_000
+_DEEPEST = 32
+
+
+@dataclass(frozen=True, eq=False)
+class StoredShape:
+    """One final shape of a document: its BREP text and the (4, 4) placement of its containers."""
+
+    brep: bytes
+    placement: FloatArray
+
+
+def stored_shapes(path: Path) -> list[StoredShape]:
+    """The shapes that no other shape of the document is made from, in the document's order.
+
+    Raises:
+        InputError: the archive is broken, too large, or holds no BREP shape.
+    """
+    try:
+        with zipfile.ZipFile(path) as archive:
+            root = ElementTree.fromstring(_member(archive, "Document.xml", _MOST_XML))
+            shapes = [
+                StoredShape(_member(archive, name, _MOST_BYTES), placement)
+                for name, placement in _final(root)
+            ]
+    except (zipfile.BadZipFile, ElementTree.ParseError, KeyError, OSError, ValueError) as error:
+        raise InputError(f"{path}: not a FreeCAD document that can be read ({error})") from None
+    if not shapes:
+        raise InputError(f"{path}: the document holds no shape")
+    return shapes
+
+
+def _member(archive: zipfile.ZipFile, name: str, most: int) -> bytes:
+    if archive.getinfo(name).file_size > most:
+        raise ValueError(f"{name} is larger than {most} bytes")
+    return archive.read(name)
+
+
+def _final(root: ElementTree.Element) -> Iterator[tuple[str, FloatArray]]:
+    data = {o.get("name", ""): o for o in root.findall("./ObjectData/Object")}
+    files = {name: file for name, item in data.items() if (file := _shape_file(item))}
+    used = {
+        dep.get("Name", "")
+        for deps in root.findall("./Objects/ObjectDeps")
+        if deps.get("Name") in files
+        for dep in deps.findall("Dep")
+    }
+    parent = {
+        link.get("value", ""): name
+        for name, item in data.items()
+        if name not in files
+        for link in item.findall("./Properties/Property[@name='Group']/LinkList/Link")
+    }
+    for name, file in files.items():
+        if name in used:
+            continue
+        placement = np.eye(4)
+        above = parent.get(name)
+        for _ in range(_DEEPEST):
+            if above is None:
+                break
+            placement = _placement(data[above]) @ placement
+            above = parent.get(above)
+        yield file, placement
+
+
+def _shape_file(item: ElementTree.Element) -> str | None:
+    part = item.find("./Properties/Property[@name='Shape']/Part")
+    file = None if part is None else part.get("file")
+    return file if file and file.lower().endswith((".brp", ".brep")) else None
+
+
+def _placement(item: ElementTree.Element) -> FloatArray:
+    stored = item.find("./Properties/Property[@name='Placement']/PropertyPlacement")
+    matrix = np.eye(4)
+    if stored is None:
+        return matrix
+    x, y, z, w = (float(stored.get(k, "0")) for k in ("Q0", "Q1", "Q2", "Q3"))
+    matrix[:3, 3] = [float(stored.get(k, "0")) for k in ("Px", "Py", "Pz")]
+    matrix[:3, :3] = [
+        [1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)],
+        [2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)],
+        [2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)],
+    ]
+    return matrix
