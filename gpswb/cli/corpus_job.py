@@ -27,6 +27,9 @@ from gpswb.validation.corpus import PartRow
 
 ROW = "row.json"
 
+GRACE = 2.0
+"""Seconds that a child has to end by itself before it is killed."""
+
 
 @dataclass(frozen=True)
 class Limits:
@@ -76,15 +79,22 @@ def run_jobs(
             wait([p.sentinel for p, _ in running.values()], timeout=0.2)
     finally:
         for child, _ in running.values():
-            child.kill()
-            child.join()
+            _stop(child)
+
+
+def _stop(process: BaseProcess) -> None:
+    """End a child: politely first, so that it ends the processes that it has started itself."""
+    process.terminate()
+    process.join(GRACE)
+    if process.is_alive():
+        process.kill()
+        process.join()
 
 
 def _row(job: Job, process: BaseProcess, elapsed: float, limits: Limits) -> PartRow:
     """How a job that has ended, or has run out of time, ended."""
     if process.is_alive():
-        process.kill()
-        process.join()
+        _stop(process)
         return PartRow(job.name, "timeout", f"not done after {limits.seconds:g} s", {}, elapsed)
     process.join()
     answer = job.directory / ROW
@@ -110,6 +120,7 @@ def _child(job: Job, settings: Settings, memory: int) -> None:
     null = os.open(os.devnull, os.O_WRONLY)
     os.dup2(null, 1)
     os.dup2(null, 2)
+    signal.signal(signal.SIGTERM, signal.default_int_handler)
     resource.setrlimit(resource.RLIMIT_DATA, (memory, memory))
     resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
     said = _attempt(lambda: _examine(job, settings))

@@ -7,6 +7,7 @@ import json
 import os
 import signal
 import sys
+import time
 import warnings
 from collections.abc import Callable
 from typing import Any
@@ -14,6 +15,9 @@ from typing import Any
 import gpswb.errors
 from gpswb.cli.messages import internal_error
 from gpswb.errors import GpswbError, KernelError
+
+GRACE = 2.0
+"""Seconds that a child has to end by itself before it is killed."""
 
 
 class ChildError(Exception):
@@ -38,21 +42,26 @@ def guarded(work: Callable[[], Any], what: str) -> Any:
     reader, writer = os.pipe()
     child = os.fork()
     if child == 0:
-        os.close(reader)
-        _hush()
-        _answer(work, writer)
+        try:
+            os.close(reader)
+            signal.signal(signal.SIGTERM, signal.default_int_handler)
+            _hush()
+            _answer(work, writer)
+        finally:  # whatever happens, the child must not go on as a second parent
+            os._exit(0)
     os.close(writer)
     try:
         with os.fdopen(reader, encoding="utf-8") as pipe:
             said = pipe.read()
         _, status = os.waitpid(child, 0)
     except BaseException:
-        os.kill(child, signal.SIGKILL)
-        os.waitpid(child, 0)
+        _stop(child)
         raise
     if os.WIFSIGNALED(status):
         name = signal.Signals(os.WTERMSIG(status)).name
         raise KernelError(f"{what}: processing it crashed ({name}); the file may be broken")
+    if not said:
+        raise KernelError(f"{what}: processing it ended without a result")
     answer = json.loads(said)
     if answer["kind"] == "value":
         return answer["value"]
@@ -60,6 +69,18 @@ def guarded(work: Callable[[], Any], what: str) -> Any:
         raise KeyboardInterrupt
     error = getattr(gpswb.errors, answer["kind"], ChildError)
     raise error(answer["text"])
+
+
+def _stop(child: int) -> None:
+    """End the child: politely first, so that it ends the processes that it has started itself."""
+    os.kill(child, signal.SIGTERM)
+    deadline = time.monotonic() + GRACE
+    while time.monotonic() < deadline:
+        if os.waitpid(child, os.WNOHANG)[0]:
+            return
+        time.sleep(0.02)
+    os.kill(child, signal.SIGKILL)
+    os.waitpid(child, 0)
 
 
 def _hush() -> None:
@@ -72,7 +93,7 @@ def _hush() -> None:
 
 
 def _answer(work: Callable[[], Any], writer: int) -> None:
-    """In the child: say how it went and end, without the parent's own clearing up."""
+    """In the child: say how it went."""
     try:
         answer = {"kind": "value", "value": work()}
     except GpswbError as error:
@@ -87,6 +108,4 @@ def _answer(work: Callable[[], Any], writer: int) -> None:
         answer = {"kind": "ChildError", "text": internal_error(error)}
     with os.fdopen(writer, "w", encoding="utf-8") as pipe:
         json.dump(answer, pipe)
-    sys.stdout.flush()
     sys.stderr.flush()
-    os._exit(0)

@@ -25,6 +25,12 @@ def crash(number: signal.Signals) -> None:
     os.kill(os.getpid(), number)
 
 
+def hang(deaf: bool) -> None:
+    if deaf:
+        signal.signal(signal.SIGTERM, signal.SIG_IGN)
+    time.sleep(60)
+
+
 def raising(error: BaseException) -> object:
     raise error
 
@@ -59,6 +65,19 @@ def test_no_child_is_left_behind() -> None:
         os.waitpid(-1, os.WNOHANG)
 
 
+def test_interrupt_ends_the_child(monkeypatch: pytest.MonkeyPatch) -> None:
+    children: list[int] = []
+    fork = os.fork
+    monkeypatch.setattr(os, "fork", lambda: children.append(fork()) or children[-1])
+    alarm = signal.signal(signal.SIGALRM, signal.default_int_handler)
+    signal.setitimer(signal.ITIMER_REAL, 0.3)
+    with pytest.raises(KeyboardInterrupt):
+        guarded(lambda: time.sleep(60), "x")
+    signal.signal(signal.SIGALRM, alarm)
+    with pytest.raises(ProcessLookupError):
+        os.kill(children[0], 0)
+
+
 def job(tmp_path: Path, name: str = "part.step") -> Job:
     path = tmp_path / name
     path.write_bytes(b"nothing")
@@ -74,8 +93,9 @@ def test_crashed_child_gives_a_row(tmp_path: Path) -> None:
     assert (row.status, row.message) == ("crashed", "the process was ended by SIGABRT")
 
 
-def test_child_out_of_time_is_killed(tmp_path: Path) -> None:
-    process = multiprocessing.get_context("fork").Process(target=time.sleep, args=(60,))
+@pytest.mark.parametrize("deaf", [False, True])
+def test_child_out_of_time_is_ended(tmp_path: Path, deaf: bool) -> None:
+    process = multiprocessing.get_context("fork").Process(target=hang, args=(deaf,))
     process.start()
     row = _row(job(tmp_path), process, 2.5, Limits(2, 10**9))
     assert (row.status, row.message) == ("timeout", "not done after 2 s")

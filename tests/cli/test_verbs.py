@@ -127,7 +127,16 @@ def test_noise_is_added_and_the_same_each_time(
     vertices = []
     for name in ("one", "two"):
         out = tmp_path / name
-        words = ["validate", block_step, "--out", out, "--density", "coarse", "--pictures", "0"]
+        words = [
+            "validate",
+            block_step,
+            "--out",
+            out,
+            "--density",
+            "coarse",
+            "--method",
+            "curvature",
+        ]
         assert gpswb(*words, "--noise-added", "0.001").returncode == 0
         with np.load(out / "parts" / "block.step" / "labels.npz") as labels:
             vertices.append(labels["vertices"])
@@ -163,7 +172,7 @@ def test_sweep_of_a_corpus_averages_its_parts(
     for name, path in (("one", block_step), ("two", tmp_path / "corpus")):
         out = tmp_path / name
         words = ["sweep", path, "--densities", "stl", "--noise-added", "0,0.001", "--out", out]
-        assert gpswb(*words).returncode == 0
+        assert gpswb(*words, "--method", "curvature").returncode == 0
         with (out / "sweep.csv").open(newline="", encoding="utf-8") as file:
             rows.append(list(csv.DictReader(file)))
     assert [row["noise"] for row in rows[0]] == ["0.0", "0.001"]
