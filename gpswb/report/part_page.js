@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// The tables and legends of one part's report. Text from data goes in by textContent only.
+// The tables and legends of one part's report.
 "use strict";
 
 const report = JSON.parse(document.getElementById("data").textContent);
@@ -11,85 +11,10 @@ let views = null;
 let palette = "wheel";
 let chosen = null; // id of the region selected
 
-function make(tag, text, attributes = {}) {
-  const node = document.createElement(tag);
-  if (text !== null && text !== undefined) node.textContent = text;
-  for (const [name, value] of Object.entries(attributes)) node.setAttribute(name, value);
-  return node;
-}
-
-function draw(tag, attributes, text) {
-  const node = document.createElementNS("http://www.w3.org/2000/svg", tag);
-  for (const [name, value] of Object.entries(attributes)) node.setAttribute(name, value);
-  if (text) node.textContent = text;
-  return node;
-}
-
-const rgb = (colour) => `rgb(${colour.join(",")})`;
 const classColour = (name) => report.palettes[palette][name] ?? report.none;
-const number = (x, digits = 4) => (x === null || x === undefined ? "–" : Number(x.toPrecision(digits)).toString());
-const percent = (x) => (x === null || x === undefined ? "–" : x >= 1 ? "100 %" : `${(Math.floor(x * 1e4) / 100).toFixed(2)} %`);
-function list(xs) { // rounding errors beside large components are shown as 0
-  const most = Math.max(...xs.map(Math.abs));
-  return `(${xs.map((x) => (Math.abs(x) < 1e-9 * most ? "0" : number(x, 5))).join(", ")})`;
-}
 const intrinsic = (region) => Object.entries(region.intrinsic)
   .map(([name, value]) => `${name.replace(/_deg$/, "").replaceAll("_", " ")} ${number(value, 6)}${name.endsWith("_deg") ? "°" : ""}`).join(", ");
 const situation = (region) => Object.entries(region.situation).map(([name, value]) => `${name} ${list(value)}`).join(" ");
-
-function swatched(name, colour) {
-  const cell = make("span", null, { class: "named" });
-  cell.append(make("span", null, { class: "swatch", style: `background:${rgb(colour)}` }), name);
-  return cell;
-}
-
-// columns: [heading, row -> string | Node | number, numeric?, row -> sort key]
-function table(node, columns, rows, onpick, name) {
-  node.querySelectorAll("thead,tbody").forEach((part) => part.remove());
-  const head = node.createTHead().insertRow(), body = node.createTBody();
-  let order = null, up = true;
-  const fill = () => {
-    body.replaceChildren(...rows.map((row) => {
-      const line = make("tr");
-      columns.forEach(([, value, numeric], i) => {
-        const shown = value(row), cell = make(i ? "td" : "th", null, i ? {} : { scope: "row" });
-        cell.append(shown instanceof Node ? shown : String(shown ?? ""));
-        if (numeric) cell.className = "n";
-        line.append(cell);
-      });
-      if (onpick) {
-        Object.assign(line, { className: "pick", tabIndex: 0, onclick: () => onpick(row) });
-        line.onkeydown = (e) => { if (e.key === "Enter" || e.key === " ") { e.preventDefault(); onpick(row); } };
-        if (name) {
-          line.dataset.region = name(row);
-          line.classList.toggle("chosen", name(row) === chosen);
-        }
-      }
-      return line;
-    }));
-  };
-  columns.forEach(([heading, , numeric, key], i) => {
-    const cell = make("th", key ? null : heading, { scope: "col" });
-    if (numeric) cell.className = "n";
-    if (key) {
-      const button = make("button", heading, { type: "button" });
-      button.onclick = () => {
-        up = order === i ? !up : !numeric;
-        order = i;
-        rows.sort((a, b) => {
-          const [x, y] = [key(a), key(b)];
-          return (x < y ? -1 : x > y ? 1 : 0) * (up ? 1 : -1);
-        });
-        for (const other of head.cells) other.removeAttribute("aria-sort");
-        cell.setAttribute("aria-sort", up ? "ascending" : "descending");
-        fill();
-      };
-      cell.append(button);
-    }
-    head.append(cell);
-  });
-  fill();
-}
 
 function tiles() {
   const check = result.validation, mesh = result.mesh;
@@ -213,7 +138,7 @@ function regions() {
     ["triangles", (r) => r.triangles, true, (r) => r.triangles],
     ["initial", (r) => r.initial_regions, true, (r) => r.initial_regions],
     ["faces", (r) => r.faces.join(" "), false, (r) => r.faces.length],
-  ], [...result.regions], (region) => choose(region.id), (region) => region.id);
+  ], [...result.regions], (region) => choose(region.id), (region) => region.id, (region) => region.id === chosen);
 }
 
 function validation() {
@@ -247,7 +172,7 @@ function validation() {
     ["triangles", text("triangles"), true, (f) => f.triangles],
     ["kind", text("kind"), false, text("kind")],
     ["region", text("region"), true, (f) => f.region ?? -1],
-  ], wrong, (f) => { if (f.region !== null) choose(f.region); }, (f) => f.region);
+  ], wrong, (f) => { if (f.region !== null) choose(f.region); }, (f) => f.region, (f) => f.region !== null && f.region === chosen);
   by("disagree").hidden = !wrong.length;
   by("wrong-note").textContent = [
     wrong.length ? "" : "Every face has the class of its CAD surface.",

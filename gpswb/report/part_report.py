@@ -21,6 +21,8 @@ from gpswb.report.pack import pack
 CREASE_DEG = 30.0
 """Facets that meet at more than this are drawn with a sharp edge between them."""
 
+SCRIPTS = ("part_view.js", "part_table.js", "part_page.js")
+
 GRID = 65535
 """Coordinates are drawn on a grid of 16 bits an axis."""
 
@@ -62,7 +64,7 @@ def report_page(document: dict[str, Any], partition: Partition, facemap: FaceMap
     page = _asset("part_page.html")
     for mark, text in (
         ("/*STYLE*/", _asset("part_page.css")),
-        ("/*SCRIPT*/", _asset("part_view.js") + _asset("part_page.js")),
+        ("/*SCRIPT*/", "".join(map(_asset, SCRIPTS))),
         ("/*DATA*/", script_json(data)),  # last: what is in the data is never looked through
     ):
         head, tail = page.split(mark)
