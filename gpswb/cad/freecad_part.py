@@ -121,8 +121,11 @@ class FreecadFace:
         the parameters that it also hands out are not merged, and tell which node was meant."""
         if self._bare:
             return _EMPTY
-        points, triangles = self.face.tessellate(linear)
-        raw = self.face.getUVNodes()
+        try:
+            points, triangles = self.face.tessellate(linear)
+            raw = self.face.getUVNodes()
+        except RuntimeError:  # BRepMesh found no triangulation of this face
+            return _EMPTY
         if not triangles or not raw:
             return _EMPTY
         uv, merged = np.array(raw), np.array([tuple(p) for p in points])
