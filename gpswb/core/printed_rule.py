@@ -6,6 +6,7 @@ from __future__ import annotations
 import numpy as np
 
 from gpswb.core.mesh import FloatArray, IntArray
+from gpswb.core.outer_sums import outer_sums
 from gpswb.core.similarity import confidence, signature_similarity
 from gpswb.core.slippage import printed_signature
 from gpswb.core.tolerances import PaperSettings
@@ -53,12 +54,5 @@ def printed_motion_matrices(
     points: FloatArray, normals: FloatArray, label: IntArray, count: int
 ) -> FloatArray:
     """(r, 6, 6) matrices M_c of equation (2): sums over points of (p x n, n)(p x n, n)^T."""
-    a = np.concatenate([np.cross(points, normals), normals], axis=1)
-    inside = label >= 0
-    motion = np.zeros((count, 6, 6))
-    for i in range(6):
-        for j in range(i, 6):
-            motion[:, i, j] = motion[:, j, i] = np.bincount(
-                label[inside], weights=(a[:, i] * a[:, j])[inside], minlength=count
-            )
-    return motion
+    rows = np.concatenate([np.cross(points, normals), normals], axis=1)
+    return outer_sums(rows, np.ones(len(rows)), label, count)

@@ -12,6 +12,7 @@ from __future__ import annotations
 import numpy as np
 
 from gpswb.core.mesh import FloatArray, IntArray
+from gpswb.core.outer_sums import outer_sums
 
 
 def quadric_moments(
@@ -25,17 +26,10 @@ def quadric_moments(
         label: (n,) int region 0..count-1; negative for points of none.
         count: number of regions.
     """
-    inside = label >= 0
-    p, w, label = points[inside], weights[inside], label[inside]
-    x, y, z = p.T
-    m = np.column_stack([x * x, y * y, z * z, x * y, y * z, z * x, x, y, z, np.ones_like(x)])
-    moments = np.zeros((count, 10, 10))
-    for i in range(10):
-        for j in range(i, 10):
-            moments[:, i, j] = moments[:, j, i] = np.bincount(
-                label, weights=w * m[:, i] * m[:, j], minlength=count
-            )
-    return moments
+    x, y, z = points.T
+    one = np.ones_like(x)
+    monomials = np.column_stack([x * x, y * y, z * z, x * y, y * z, z * x, x, y, z, one])
+    return outer_sums(monomials, weights, label, count)
 
 
 def plane_stand_off(moments: FloatArray) -> FloatArray:

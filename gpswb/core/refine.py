@@ -38,8 +38,8 @@ def refine_regions(
     region = initial.copy()
     for last in range(_PASSES):
         # Freeform pieces merge last of all: until borders are clean, any region may seem to be one.
-        for k in (3, 2, 1, 0) if last == _PASSES - 1 else (3, 2, 1):
-            region = _merge(mesh, region, crease, k, sigma, tolerances)
+        motions = (3, 2, 1, 0) if last == _PASSES - 1 else (3, 2, 1)
+        region = _merge(mesh, region, crease, motions, sigma, tolerances)
         region = give_back(mesh, region, crease, sigma, tolerances)
         # A border moved may have cut a region in two, or joined pieces of one.
         grown, _ = grow_regions(region, mesh.facet_pairs)
@@ -51,19 +51,19 @@ def _merge(
     mesh: Mesh,
     region: IntArray,
     crease: BoolArray,
-    k: int,
+    motions: tuple[int, ...],
     sigma: float,
     tolerances: Tolerances,
 ) -> IntArray:
+    """One round of merging for each number of motions, across smooth edges."""
     count = int(region.max(initial=-1)) + 1
-    pairs = region[mesh.facet_pairs[~crease]]
-    pairs = pairs[(pairs >= 0).all(axis=1) & (pairs[:, 0] != pairs[:, 1])]
-    if not len(pairs):
+    smooth = mesh.facet_pairs[~crease]
+    smooth = smooth[(region[smooth] >= 0).all(axis=1)]
+    if not len(smooth):
         return region
     core = np.where(core_facets(mesh, region, crease), region, -1)
-    state = _state(mesh, core, count, confined_normals(mesh, region, crease))
-    length = mesh.vertices[mesh.pair_edges]
-    edge = float(np.sqrt(((length[:, 1] - length[:, 0]) ** 2).sum(axis=1).mean()))
+    ends = mesh.vertices[mesh.pair_edges]
+    edge = float(np.sqrt(((ends[:, 1] - ends[:, 0]) ** 2).sum(axis=1).mean()))
     limits = MergeLimits(
         slippable=max(tolerances.slippable, 4.0 * (sigma / edge) ** 2),
         coarse=tolerances.coarse,
@@ -72,8 +72,13 @@ def _merge(
         signature_width=tolerances.signature_width,
         confident_facets=tolerances.confident_facets,
     )
-    kept = merge_regions(count, pairs, SlippageRule(state, k, limits), 1e-12)
-    return np.where(region >= 0, kept[region], -1)
+    state = _state(mesh, core, count, confined_normals(mesh, region, crease))
+    rule = SlippageRule(state, motions[0], limits)
+    for k in motions:
+        rule.k = k
+        kept = merge_regions(count, region[smooth], rule, 1e-12)
+        region = np.where(region >= 0, kept[region], -1)
+    return region
 
 
 def _state(mesh: Mesh, label: IntArray, count: int, corner_normals: FloatArray) -> MergeState:

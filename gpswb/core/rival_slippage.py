@@ -27,8 +27,8 @@ from gpswb.core.slippage import (
 from gpswb.core.stages import Progress, StageClock
 from gpswb.core.tolerances import PaperSettings, Tolerances
 
-SEARCHED_SIZES = (16, 32, 64, 128)
-"""Facets a patch that the search tries when no size is given."""
+SEARCHED_PATCHES = (1600, 800, 400, 200)
+"""Numbers of patches that the search for a size tries; none has fewer than four facets."""
 
 
 def partition_by_slippage(
@@ -55,7 +55,9 @@ def partition_by_slippage(
     settings, clock = PaperSettings(), StageClock(progress)
     first = initial_partition(mesh, sigma, Tolerances(), clock)
     with clock.stage("refine"):
-        sizes = SEARCHED_SIZES if patch_facets is None else (patch_facets,)
+        facets = len(mesh.triangles)
+        searched = sorted({max(4, round(facets / patches)) for patches in SEARCHED_PATCHES})
+        sizes = searched if patch_facets is None else [patch_facets]
         best: tuple[float, IntArray, IntArray] | None = None
         for done, size in enumerate(sizes):
             patch = equal_patches(mesh, size)

@@ -18,7 +18,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from gpswb.core.mesh import BoolArray, FloatArray, IntArray, Mesh
+from gpswb.core.mesh import FloatArray, IntArray, Mesh
+from gpswb.core.outer_sums import outer_sums
 
 # Three interior points of a triangle that integrate quadratics exactly.
 _QUADRATURE = np.array([[4.0, 1.0, 1.0], [1.0, 4.0, 1.0], [1.0, 1.0, 4.0]]) / 6.0
@@ -113,25 +114,14 @@ def slippage_moments(
         label: (n,) int region of each point, 0..count-1; negative for points of none.
         count: number of regions.
     """
-    inside: BoolArray = label >= 0
-    p, n, w, label = points[inside], normals[inside], weights[inside], label[inside]
-    a = np.concatenate([np.cross(p, n), n], axis=1)
-    motion = np.zeros((count, 6, 6))
-    for i in range(6):
-        for j in range(i, 6):
-            motion[:, i, j] = motion[:, j, i] = np.bincount(
-                label, weights=w * a[:, i] * a[:, j], minlength=count
-            )
-    second = np.zeros((count, 3, 3))
-    for i in range(3):
-        for j in range(i, 3):
-            second[:, i, j] = second[:, j, i] = np.bincount(
-                label, weights=w * p[:, i] * p[:, j], minlength=count
-            )
-    first: FloatArray = np.stack(
-        [np.bincount(label, weights=w * p[:, i], minlength=count) for i in range(3)], axis=1
+    motion = outer_sums(
+        np.concatenate([np.cross(points, normals), normals], 1), weights, label, count
     )
-    total = np.bincount(label, weights=w, minlength=count)
+    # With a 1 appended, the second moments hold the first and the weight too.
+    position = outer_sums(
+        np.concatenate([points, np.ones((len(points), 1))], axis=1), weights, label, count
+    )
+    second, first, total = position[:, :3, :3], position[:, :3, 3], position[:, 3, 3]
     metric = np.zeros((count, 6, 6))
     trace = np.trace(second, axis1=1, axis2=2)
     metric[:, :3, :3] = trace[:, None, None] * np.eye(3) - second

@@ -61,17 +61,17 @@ class SlippageRule:
 
     Args:
         state: moments, which the rule owns and adds up.
-        k: number of motions that must agree, 0 to 3.
+        k: number of motions that must agree, 0 to 3; may be set anew between merging rounds.
         limits: thresholds.
     """
 
     def __init__(self, state: MergeState, k: int, limits: MergeLimits) -> None:
-        self._state, self._k, self._limits = state, k, limits
+        self._state, self.k, self._limits = state, k, limits
         self._mu, self._twist = slippable_motions(SlippageMoments(state.motion, state.metric))
 
     def score(self, first: IntArray, second: IntArray) -> FloatArray:
         """Score (p,) of each pair: 0 where the merge is forbidden."""
-        state, limits, k = self._state, self._limits, self._k
+        state, limits, k = self._state, self._limits, self.k
         union = SlippageMoments(
             state.motion[first] + state.motion[second], state.metric[first] + state.metric[second]
         )
@@ -130,7 +130,7 @@ class SlippageRule:
             # Motions ascend in mu, so orthonormalising keeps the slippable span in front.
             basis = np.linalg.qr(lower @ self._twist[index, :, :3])[0]
             bases.append(basis * slips[:, None, :])
-        return signature_similarity(bases[0], bases[1], self._k, self._limits.signature_width)
+        return signature_similarity(bases[0], bases[1], self.k, self._limits.signature_width)
 
     def _one_surface(
         self,
