@@ -19,7 +19,7 @@ from gpswb.core.invariance import InvarianceClass
 from gpswb.core.likelihood import Densities, log_likelihoods
 from gpswb.core.mesh import FloatArray
 from gpswb.core.partition import Region
-from gpswb.core.reference import Reference, estimate_references
+from gpswb.core.reference import Reference, estimate_references, spread
 from gpswb.core.region_samples import RegionSample
 from gpswb.core.situation import describe
 from gpswb.core.thickness import refine_reference, thickness
@@ -35,6 +35,8 @@ PARSIMONY: tuple[InvarianceClass, ...] = (
     "complex",
 )
 """Most symmetric first; prismatic before revolute, since an axis far away looks like a prism."""
+
+_SAMPLES = 4000  # corners at which the slip of a region is measured
 
 _MARGIN_CAP = 1e6  # a margin beyond this says "exact", whatever the rounding
 
@@ -117,6 +119,8 @@ def weigh(
             sample.points, sample.normals, sample.weights, classes
         ).items()
     }
+    chosen = spread(len(sample.points), _SAMPLES)
+    points, normals, weights = (a[chosen] for a in (sample.points, sample.normals, sample.weights))
     on_surface = max(3.0 * sigma, tolerances.distance * sample.size)
     # A profile is known only through its chords: a tenth of their sagitta is left to it.
     on_profile = max(on_surface, 0.1 * sample.turning * sample.edge_length / 8.0)
@@ -140,10 +144,7 @@ def weigh(
     return Evidence(
         references=references,
         stand_off=stand_off,
-        slip={
-            n: slip_of(sample.points, sample.normals, sample.weights, n, r)
-            for n, r in references.items()
-        },
+        slip={n: slip_of(points, normals, weights, n, r) for n, r in references.items()},
         distance=allowed,
         # Where a region ends, corner normals are off by up to half a facet's turning.
         angle=max(2e-3, sample.turning**2 / 6.0, 4.0 * noise),

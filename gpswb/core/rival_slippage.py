@@ -170,16 +170,19 @@ def _unit(motion: FloatArray, radius: FloatArray) -> FloatArray:
 
 
 def _moments_of(mesh: Mesh, facets: IntArray) -> SlippageMoments:
-    label = np.full(len(mesh.triangles), -1, dtype=np.int64)
-    label[facets] = 0
-    return _moments(mesh, label, 1)
+    part = Mesh(mesh.vertices, mesh.triangles[facets])
+    return _moments(_flat_samples(part), np.zeros(len(facets), dtype=np.int64), 1)
 
 
-def _moments(mesh: Mesh, label: IntArray, count: int) -> SlippageMoments:
-    """Moments with facet normals: nothing is averaged, so nothing leaks."""
-    corner_normals = np.repeat(mesh.facet_normals[:, None], 3, axis=1)
-    points, normals, weights = facet_samples(mesh, corner_normals)
-    return slippage_moments(points, normals, weights, np.repeat(label, 3), count)
+def _flat_samples(mesh: Mesh) -> tuple[FloatArray, FloatArray, FloatArray]:
+    """Samples with facet normals: nothing is averaged, so nothing leaks."""
+    return facet_samples(mesh, np.repeat(mesh.facet_normals[:, None], 3, axis=1))
+
+
+def _moments(
+    samples: tuple[FloatArray, FloatArray, FloatArray], label: IntArray, count: int
+) -> SlippageMoments:
+    return slippage_moments(*samples, np.repeat(label, 3), count)
 
 
 def _merge(
@@ -187,12 +190,13 @@ def _merge(
 ) -> tuple[IntArray, float]:
     """Merged regions and the cost that the search for a size minimises."""
     region, patches = patch.copy(), int(patch.max(initial=-1)) + 1
+    samples = _flat_samples(mesh)
     for k in (3, 2, 1):
-        moments = _moments(mesh, region, patches)
+        moments = _moments(samples, region, patches)
         size = np.bincount(region, minlength=patches)
         rule = GelfandRule(moments, size, k, patch_facets, settings)
         region = merge_regions(patches, region[mesh.facet_pairs], rule, settings.similarity)[region]
-    moments = _moments(mesh, region, patches)
+    moments = _moments(samples, region, patches)
     motion = _unit(moments.moved(moments.centroid).motion, moments.gyration)
     count, _, _ = printed_signature(motion, settings.condition_number)
     total = max(float(moments.weight.sum()), 1e-300)
