@@ -162,6 +162,15 @@ def by_parsimony(
     return next((name for name in PARSIMONY if evidence.fits(name)), "complex")
 
 
+def always(name: InvarianceClass) -> Choice:
+    """A choice that another method has already made."""
+
+    def fixed(evidence: Evidence, likelihoods: Mapping[InvarianceClass, float]) -> InvarianceClass:
+        return name
+
+    return fixed
+
+
 def recognise(
     number: int,
     sample: RegionSample,

@@ -4,16 +4,15 @@
 from __future__ import annotations
 
 import dataclasses
-from collections.abc import Mapping
 
 import numpy as np
 
-from gpswb.core.corrected import recognised_partition
 from gpswb.core.initial import initial_partition
 from gpswb.core.invariance import InvarianceClass
 from gpswb.core.mesh import FloatArray, IntArray, Mesh
 from gpswb.core.partition import Partition
-from gpswb.core.recognition import Choice, Evidence
+from gpswb.core.recognised_partition import recognised_partition
+from gpswb.core.recognition import Choice, always
 from gpswb.core.region_samples import RegionSample
 from gpswb.core.shape_types import PLANE
 from gpswb.core.stages import Progress, StageClock
@@ -47,14 +46,7 @@ def partition_by_curvature(
         curved = first.curvature.curvedness[first.wedges.of_corner].mean(axis=1)
 
     def choose(sample: RegionSample) -> Choice:
-        name = class_by_table(first.facet_type[sample.facets], curved[sample.facets])
-
-        def fixed(
-            evidence: Evidence, likelihoods: Mapping[InvarianceClass, float]
-        ) -> InvarianceClass:
-            return name
-
-        return fixed
+        return always(class_by_table(first.facet_type[sample.facets], curved[sample.facets]))
 
     return recognised_partition(
         mesh, first, first.region, sigma, tol, clock, "corrected", "curvature", choose

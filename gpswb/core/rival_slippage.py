@@ -4,18 +4,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-
 import numpy as np
 
-from gpswb.core.corrected import recognised_partition
 from gpswb.core.initial import InitialPartition, initial_partition
 from gpswb.core.invariance import InvarianceClass
 from gpswb.core.merging import merge_regions
 from gpswb.core.mesh import FloatArray, IntArray, Mesh
 from gpswb.core.partition import Partition
 from gpswb.core.patches import equal_patches
-from gpswb.core.recognition import Choice, Evidence
+from gpswb.core.recognised_partition import recognised_partition
+from gpswb.core.recognition import Choice, always
 from gpswb.core.region_samples import RegionSample
 from gpswb.core.similarity import confidence, signature_similarity
 from gpswb.core.slippage import (
@@ -73,14 +71,7 @@ def partition_by_slippage(
     )
 
     def choose(sample: RegionSample) -> Choice:
-        name = class_by_signature(_moments_of(mesh, sample.facets), settings)
-
-        def fixed(
-            evidence: Evidence, likelihoods: Mapping[InvarianceClass, float]
-        ) -> InvarianceClass:
-            return name
-
-        return fixed
+        return always(class_by_signature(_moments_of(mesh, sample.facets), settings))
 
     return recognised_partition(
         mesh, started, region, sigma, Tolerances(), clock, "corrected", "slippage", choose
