@@ -96,10 +96,11 @@ def _open_conic(
     frame = placement(file, parameters[1], mm)
     heights = [float((end - frame[:3, 3]) @ frame[:3, 1]) for end in ends]
     if keyword == "HYPERBOLA":
-        t = np.linspace(*np.arcsinh(np.array(heights) / sizes[-1]), STEPS + 1)
+        low, high = (float(np.arcsinh(height / sizes[-1])) for height in heights)
+        t = np.linspace(low, high, STEPS + 1)
         x, y = sizes[0] * np.cosh(t), sizes[-1] * np.sinh(t)
     else:
-        y = np.linspace(*heights, STEPS + 1)
+        y = np.linspace(heights[0], heights[1], STEPS + 1)
         x = y**2 / (4.0 * sizes[0])
     return np.asarray(frame[:3, 3] + np.outer(x, frame[:3, 0]) + np.outer(y, frame[:3, 1]))
 

@@ -9,7 +9,7 @@ import numpy as np
 from scipy.spatial import cKDTree
 
 from gpswb.cad.solid import FaceMap
-from gpswb.core.mesh import FloatArray, Mesh
+from gpswb.core.mesh import FloatArray, IntArray, Mesh
 from gpswb.errors import InputError
 from gpswb.io.ap242.part21 import Part21, Ref
 from gpswb.io.ap242.structure import ShapeOfProduct
@@ -99,7 +99,7 @@ def _text_outline(face: TextFace, place: FloatArray) -> _Outline:
     return _Outline(border, inward, border.reshape(-1, 3), _key(border, middle))
 
 
-def _mesh_outline(vertices: FloatArray, triangles: FloatArray) -> _Outline:
+def _mesh_outline(vertices: FloatArray, triangles: IntArray) -> _Outline:
     corners = vertices[triangles]
     edges = np.sort(triangles[:, [[0, 1], [1, 2], [2, 0]]], axis=2).reshape(-1, 2)
     _, first, count = np.unique(edges, axis=0, return_index=True, return_counts=True)
@@ -146,7 +146,7 @@ def _cost(face: TextFace, place: FloatArray, text: _Outline, mesh: _Outline) -> 
     return apart / size + off / size + ((1.0 - inside) / 2 if known else 0.0)
 
 
-def _to_segments(points: FloatArray, segments: FloatArray) -> tuple[FloatArray, np.ndarray]:
+def _to_segments(points: FloatArray, segments: FloatArray) -> tuple[FloatArray, IntArray]:
     """Distance (k,) from points (k, 3) to the nearest of segments (s, 2, 3), and which (k,)."""
     start, along = segments[:, 0], segments[:, 1] - segments[:, 0]
     squared = np.maximum(np.einsum("ij,ij->i", along, along), 1e-300)

@@ -129,7 +129,11 @@ def _definitions(file: Part21) -> dict[int, Ref]:
     for number in file.of("SHAPE_DEFINITION_REPRESENTATION"):
         shape, representation = file[number]["SHAPE_DEFINITION_REPRESENTATION"][:2]
         if isinstance(representation, Ref) and isinstance(shape, Ref):
-            if file.get(shape, "PRODUCT_DEFINITION_SHAPE") is not None:
+            product = file.get(shape, "PRODUCT_DEFINITION_SHAPE")
+            if (
+                product is not None
+                and file.get(product[-1], "NEXT_ASSEMBLY_USAGE_OCCURRENCE") is None
+            ):
                 found.setdefault(representation, shape)
     return found
 
@@ -171,14 +175,23 @@ def _occurrences(
         occurrence = _related(file, relation)
         if occurrence is None:
             continue
-        one, other, first, second = occurrence
+        one, other = occurrence[:2]
+        first, second = occurrence[2:]
         definition = file.get(shape, "PRODUCT_DEFINITION_SHAPE")
         usage = file.get(definition[-1], "NEXT_ASSEMBLY_USAGE_OCCURRENCE") if definition else None
         # Systems disagree on which of the two is the component: the product structure decides.
-        if usage and len(usage) > 4 and one in of_product.get(usage[3], ()):
-            if other in of_product.get(usage[4], ()):
-                one, other = other, one
-        if second in _representation(file, one)[1] or first in _representation(file, other)[1]:
+        swapped = (
+            usage is not None
+            and len(usage) > 4
+            and one in of_product.get(usage[3], ())
+            and other in of_product.get(usage[4], ())
+        )
+        if swapped:
+            one, other = other, one
+        own, whole = _representation(file, one)[1], _representation(file, other)[1]
+        as_listed = (first in own) + (second in whole)
+        crosswise = (second in own) + (first in whole)
+        if crosswise > as_listed or (crosswise == as_listed and swapped):
             first, second = second, first
         transform = _frame(file, second, other) @ np.linalg.inv(_frame(file, first, one))
         found.append(_Occurrence(one, other, transform))
@@ -196,7 +209,7 @@ def _occurrences(
     ]
 
 
-def _related(file: Part21, relation: Value) -> tuple[int, int, Value, Value] | None:
+def _related(file: Part21, relation: Value) -> tuple[Ref, Ref, Value, Value] | None:
     """Two representations and the frames, one in each, that are to coincide."""
     pair = file.get(relation, "REPRESENTATION_RELATIONSHIP")
     how = file.get(relation, "REPRESENTATION_RELATIONSHIP_WITH_TRANSFORMATION")

@@ -138,7 +138,7 @@ def _inward(face: TextFace, sense: float) -> FloatArray:
     middle, along = face.border.mean(axis=1), face.border[:, 1] - face.border[:, 0]
     if face.kind not in _ELEMENTARY or not len(middle):
         return np.zeros((len(middle), 3))
-    x, y, z, origin = (face.frame[:3, i] for i in range(4))
+    z, origin = face.frame[:3, 2], face.frame[:3, 3]
     relative = middle - origin
     level = relative @ z
     radial = relative - np.outer(level, z)
@@ -158,4 +158,6 @@ def _inward(face: TextFace, sense: float) -> FloatArray:
             normal = relative - face.sizes[0] * out
     inward = np.cross(normal * sense, along)
     length = np.linalg.norm(inward, axis=1, keepdims=True)
-    return np.divide(inward, length, out=np.zeros_like(inward), where=length > 0)
+    return np.asarray(
+        np.divide(inward, length, out=np.zeros_like(inward), where=length > 0), dtype=np.float64
+    )

@@ -19,7 +19,7 @@ _DEEPEST = 8
 
 @dataclass(frozen=True)
 class Units:
-    """Length and angle units: their entities (None where the file has none), mm and rad per unit."""
+    """Length and angle units: their entities, None where the file has none; mm and rad a unit."""
 
     length: Ref | None = None
     angle: Ref | None = None
