@@ -10,8 +10,8 @@ from scipy.spatial import cKDTree
 from gpswb.core.mesh import FloatArray, IntArray
 
 _STEP = 0.5
-"""Grid step in bandwidths. Linear binning and linear interpolation widen the kernel by a variance
-of step^2 / 3 in all, which is taken off the kernel beforehand."""
+"""Grid step in bandwidths. Quadratic B-splines carry points to nodes and nodes to points; each
+widens the kernel by a variance of step^2 / 4 wherever the point lies: it is narrowed by as much."""
 
 _REACH = 5.0
 """Where kernels are cut, in bandwidths: exp(-12.5) = 4e-6."""
@@ -68,8 +68,8 @@ def leave_one_out_at(points: FloatArray, bandwidth: FloatArray) -> FloatArray:
     """
     n, d = points.shape
     unit = (points - points.min(axis=0)) / bandwidth
-    # One cell more than the range, for the upper neighbour of the last point.
-    shape = tuple((np.floor(unit.max(axis=0) / _STEP)).astype(np.int64) + 2)
+    # One node more than the range at either end, for the neighbours of the outermost points.
+    shape = tuple(np.round(unit.max(axis=0) / _STEP).astype(np.int64) + 3)
     cells = float(np.prod(np.asarray(shape, dtype=np.float64)))
     others = _binned(unit, shape) if cells <= max(1 << 14, 64 * n) else _pairwise(unit)
     floor = np.exp(-60.0)
@@ -79,36 +79,45 @@ def leave_one_out_at(points: FloatArray, bandwidth: FloatArray) -> FloatArray:
 
 
 def _binned(unit: FloatArray, shape: tuple[int, ...]) -> FloatArray:
-    """Sum over the other points of exp(-r^2 / 2), by linear binning; (n,)."""
+    """Sum over the other points of exp(-r^2 / 2), on a grid; (n,)."""
     n, d = unit.shape
-    variance = 1.0 - _STEP**2 / 3.0
+    variance = 1.0 - _STEP**2 / 2.0
     offset = np.arange(-int(_REACH / _STEP), int(_REACH / _STEP) + 1) * _STEP
     kernel = np.exp(-0.5 * offset**2 / variance) / np.sqrt(variance)
-    peak, side = kernel[len(kernel) // 2], kernel[len(kernel) // 2 + 1]
     position = unit / _STEP
-    cell = np.floor(position).astype(np.int64)
-    upper = position - cell
+    node = np.round(position).astype(np.int64) + 1
+    share = position - (node - 1)
+    # (3, n, d) weights of the node below, at and above each point.
+    weights = np.stack([0.5 * (0.5 - share) ** 2, 0.75 - share**2, 0.5 * (0.5 + share) ** 2])
     stride = np.ones(d, dtype=np.int64)
     for axis in range(d - 2, -1, -1):
         stride[axis] = stride[axis + 1] * shape[axis + 1]
-    corners: list[tuple[IntArray, FloatArray]] = []
-    for corner in np.ndindex(*(2,) * d):
-        weight = np.prod(np.where(np.array(corner) == 1, upper, 1.0 - upper), axis=1)
-        corners.append(((cell + np.array(corner)) @ stride, weight))
+    around: list[tuple[IntArray, FloatArray]] = []
+    for corner in np.ndindex(*(3,) * d):
+        weight = np.ones(n)
+        for axis, k in enumerate(corner):
+            weight = weight * weights[k, :, axis]
+        around.append(((node + np.array(corner) - 1) @ stride, weight))
     size = int(np.prod(np.asarray(shape)))
     grid = np.zeros(size)
-    for index, weight in corners:
+    for index, weight in around:
         grid += np.bincount(index, weights=weight, minlength=size)
     smooth = grid.reshape(shape)
     for axis in range(d):
         smooth = correlate1d(smooth, kernel, axis=axis, mode="constant")
     flat = smooth.ravel()
     total = np.zeros(n)
-    for index, weight in corners:
+    for index, weight in around:
         total += weight * flat[index]
-    # What each point found of itself, exactly: weights w and 1 - w meet at distance 0 or one step.
-    met, apart = (1.0 - upper) ** 2 + upper**2, 2.0 * upper * (1.0 - upper)
-    own = np.prod(met * peak + apart * side, axis=1)
+    # What each point found of itself, exactly: its own three weights meet at 0, 1 and 2 steps.
+    low, middle, high = weights
+    peak, one, two = kernel[len(kernel) // 2 :][:3]
+    own = np.prod(
+        (low**2 + middle**2 + high**2) * peak
+        + 2.0 * middle * (low + high) * one
+        + 2.0 * low * high * two,
+        axis=1,
+    )
     others: FloatArray = total - own
     return others
 
