@@ -15,6 +15,7 @@ from gpswb.core.normals import wedge_normals
 from gpswb.core.partition import Partition
 from gpswb.core.rival_curvature import partition_by_curvature
 from gpswb.core.rival_slippage import partition_by_slippage
+from gpswb.core.robust.pipeline import partition_robust
 from gpswb.core.sharp_edges import feature_edges
 from gpswb.core.stages import Progress
 from gpswb.core.wedges import find_wedges
@@ -59,10 +60,6 @@ def partition(
         raise InputError(
             f"nothing to partition: none of {len(mesh.triangles)} triangles has an area"
         )
-    if mode == "robust" and method == "hybrid":
-        from gpswb.core.robust.pipeline import partition_robust
-
-        return partition_robust(mesh, noise, progress)
     sigma = _noise_of(mesh) if noise is None else float(noise)
     if method == "curvature":
         return partition_by_curvature(mesh, sigma, progress=progress)
@@ -70,7 +67,9 @@ def partition(
         return partition_by_slippage(mesh, sigma, progress=progress)
     if mode == "paper":
         return partition_as_printed(mesh, sigma, progress=progress)
-    return partition_corrected(mesh, sigma, progress=progress)
+    if mode == "corrected":
+        return partition_corrected(mesh, sigma, progress=progress)
+    return partition_robust(mesh, sigma, progress=progress)
 
 
 def _noise_of(mesh: Mesh) -> float:

@@ -14,7 +14,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from gpswb.core.mesh import BoolArray, FloatArray, IntArray, Mesh
-from gpswb.core.robust.evidence import drifts, enough_evidence, sagitta
+from gpswb.core.robust.evidence import drifts, enough_evidence, is_exact, sagitta
 from gpswb.core.robust.fitting import fit_patches
 from gpswb.core.robust.growth import Grown, fit_facets, flood, grow, to_world
 from gpswb.core.robust.patches import Patches, patches_around
@@ -38,6 +38,13 @@ PASSES: tuple[tuple[int, int | None], ...] = ((3, None), (1, None), (0, 64))
 """Spacing of the seeds in each pass, in facets, and the largest group of unexplained facets that
 the pass looks at: only small groups deserve a try from every facet."""
 
+FURTHER = 1.5
+"""How many times the facets a less simple surface must explain."""
+
+SHARE = 24
+"""Seeds that an initial region gets in a pass: a face that needs more has been broken up by others,
+and the pieces get their own in the next pass."""
+
 FREEFORM = 0.03
 """A patch whose best torus leaves less than this share of the patch's own height, but more than
 the tolerance, is smooth and no simple surface: further patches there would fail too."""
@@ -57,6 +64,7 @@ def find_surfaces(
     mesh: Mesh,
     graph: FacetGraph,
     free: BoolArray,
+    initial: IntArray,
     tolerance: float,
     rings: tuple[int, ...] = (2, 4),
 ) -> list[Grown]:
@@ -66,6 +74,7 @@ def find_surfaces(
         mesh: the mesh.
         graph: its adjacency.
         free: (m,) facets that may be explained.
+        initial: (m,) initial regions (paper, 5.2): each gets its share of the seeds.
         tolerance: distance that counts as none, mm.
         rings: sizes of the patches tried, in steps from facet to facet.
     """
@@ -77,7 +86,7 @@ def find_surfaces(
         wanted = free & ~freeform & passable.any(axis=1)
         if largest is not None:
             wanted &= _component_size(graph, free) <= largest
-        seeds = _seeds(mesh, graph, wanted, spacing)
+        seeds = _fair(_seeds(mesh, graph, wanted, spacing), initial)
         for start in range(0, len(seeds), BATCH):
             batch = seeds[start : start + BATCH]
             batch = batch[free[batch] & ~freeform[batch]]
@@ -101,10 +110,13 @@ def find_surfaces(
                     rough = Grown(h.kind, h.surface, touched)
                     if len(touched) < 4:
                         continue
-                    if drifts(mesh, graph, rough, tolerance):
+                    sure = is_exact(mesh, rough)
+                    if not sure and drifts(mesh, graph, rough, tolerance):
                         freeform[touched] = True
                         continue
                     grown = simplest(mesh, graph, h, free, tolerance)
+                    if not sure:
+                        grown = _upgraded(mesh, graph, grown, free, tolerance)
                     if enough_evidence(mesh, graph, grown, tolerance):
                         found.append(grown)
                         free[grown.facets] = False
@@ -131,6 +143,22 @@ def simplest(
             other = grow(mesh, graph, kind, surface, grown.facets, free, limit)
             if len(other.facets) >= len(grown.facets):
                 return other
+    return grown
+
+
+def _upgraded(
+    mesh: Mesh, graph: FacetGraph, grown: Grown, free: BoolArray, tolerance: float
+) -> Grown:
+    """A less simple surface through a region, where it reaches much further.
+
+    To within a tolerance a short piece of a torus lies on a cylinder, but only the torus goes on.
+    """
+    for kind in KINDS[KINDS.index(grown.kind) + 1 :]:
+        if len(grown.facets):
+            surface = fit_facets(mesh, kind, grown.facets)
+            other = grow(mesh, graph, kind, surface, grown.facets, free, tolerance)
+            if len(other.facets) > FURTHER * len(grown.facets):
+                grown = other
     return grown
 
 
@@ -222,3 +250,17 @@ def _seeds(mesh: Mesh, graph: FacetGraph, candidates: BoolArray, spacing: int) -
             front = front[front >= 0]
             covered[front] = True
     return np.array(seeds, dtype=np.int64)
+
+
+def _fair(seeds: IntArray, initial: IntArray) -> IntArray:
+    """At most ``SHARE`` seeds of each initial region, spread over its own in their order."""
+    if not len(seeds):
+        return seeds
+    group = initial[seeds]
+    order = np.argsort(group, kind="stable")
+    counts = np.unique(group[order], return_counts=True)[1]
+    rank = np.arange(len(seeds)) - np.repeat(np.cumsum(counts) - counts, counts)
+    stride = np.repeat(-(-counts // SHARE), counts)
+    chosen = np.zeros(len(seeds), dtype=bool)
+    chosen[order] = rank % stride == 0
+    return seeds[chosen]

@@ -6,7 +6,7 @@ from __future__ import annotations
 import numpy as np
 
 from gpswb.core.mesh import FloatArray, Mesh
-from gpswb.core.robust.growth import Grown
+from gpswb.core.robust.growth import Grown, residual
 from gpswb.core.robust.surfaces import distance
 from gpswb.core.robust.topology import FacetGraph
 
@@ -27,6 +27,10 @@ DRIFT = 3.0
 """Outside a true border vertices leave the surface at once; on a freeform surface they drift away:
 their distance stays within so many tolerances, or within the chord error of the facets inside."""
 
+EXACT = 1e4
+"""A region that bends by so many times its largest residual is exact: no patch of another surface
+comes near, whatever continues behind its border."""
+
 DRIFT_SHARE = 0.3
 """Share of drifting border edges that disproves a surface."""
 
@@ -45,7 +49,19 @@ def enough_evidence(mesh: Mesh, graph: FacetGraph, grown: Grown, tolerance: floa
         return False
     if sagitta(mesh, grown) < 20.0 * tolerance:
         return False
+    if is_exact(mesh, grown):
+        return True
     return not drifts(mesh, graph, grown, tolerance)
+
+
+def is_exact(mesh: Mesh, grown: Grown) -> bool:
+    """Whether a region bends far more than it deviates, and has rulings enough to prove it."""
+    if sagitta(mesh, grown) < EXACT * residual(mesh, grown):
+        return False
+    if grown.kind not in ("cylinder", "cone"):
+        return True
+    points = mesh.vertices[np.unique(mesh.triangles[grown.facets])]
+    return distinct_rulings(points, grown.surface) >= SURE_LINES
 
 
 def distinct_rulings(points: FloatArray, surface: FloatArray) -> int:

@@ -5,13 +5,11 @@ from __future__ import annotations
 
 import numpy as np
 
-from gpswb.core.mesh import BoolArray, Mesh
-from gpswb.core.robust.evidence import SURE_LINES, distinct_rulings, sagitta
-from gpswb.core.robust.growth import Grown, residual
+from gpswb.core.mesh import BoolArray, FloatArray, IntArray, Mesh
+from gpswb.core.robust.evidence import is_exact
+from gpswb.core.robust.growth import Grown
+from gpswb.core.robust.strips import few_polygons
 from gpswb.core.robust.topology import FacetGraph
-
-EXACT = 1000.0
-"""A region that bends by so many times its residual is exact: no freeform patch comes near."""
 
 SMOOTH = 0.35
 """Turning angle (rad) below which a border may be one within a freeform surface."""
@@ -21,19 +19,24 @@ SHARE = 0.4
 region is a piece of what is unexplained. A true face ends at creases or at other true faces."""
 
 
-def dissolve(mesh: Mesh, graph: FacetGraph, found: list[Grown], whole: BoolArray) -> list[Grown]:
+def dissolve(
+    mesh: Mesh, graph: FacetGraph, found: list[Grown], polygon: IntArray, whole: BoolArray
+) -> list[Grown]:
     """Drop the weak regions that are pieces of something unexplained, until none is left.
 
     Args:
         mesh: the mesh.
         graph: its adjacency.
         found: regions, without common facets.
+        polygon: (m,) coplanar polygon of each facet.
         whole: (m,) facets that could be explained: those of no region are not, yet.
     """
-    weak = [is_weak(mesh, g) for g in found]
+    weak = [not is_exact(mesh, g) for g in found]
     unexplained = whole.copy()
     for g in found:
         unexplained[g.facets] = False
+    # A plane of few facets proves nothing either, but it ends where it ends.
+    unexplained &= ~few_polygons(graph, polygon, unexplained)
     length = _edge_lengths(mesh)
     keep = [True] * len(found)
     changed = True
@@ -56,16 +59,7 @@ def dissolve(mesh: Mesh, graph: FacetGraph, found: list[Grown], whole: BoolArray
     return [g for g, kept in zip(found, keep, strict=True) if kept]
 
 
-def is_weak(mesh: Mesh, grown: Grown) -> bool:
-    """Whether a region could be a piece of another surface: not exact, or of too few rulings."""
-    if sagitta(mesh, grown) < EXACT * residual(mesh, grown):
-        return True
-    if grown.kind not in ("cylinder", "cone"):
-        return False
-    points = mesh.vertices[np.unique(mesh.triangles[grown.facets])]
-    return distinct_rulings(points, grown.surface) < SURE_LINES
-
-
-def _edge_lengths(mesh: Mesh) -> np.ndarray:
+def _edge_lengths(mesh: Mesh) -> FloatArray:
     c = mesh.corners
-    return np.linalg.norm(c[:, [1, 2, 0]] - c, axis=2)
+    length: FloatArray = np.linalg.norm(c[:, [1, 2, 0]] - c, axis=2)
+    return length

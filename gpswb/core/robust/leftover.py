@@ -8,13 +8,9 @@ import numpy as np
 from gpswb.core.initial import InitialPartition
 from gpswb.core.mesh import BoolArray, IntArray, Mesh
 from gpswb.core.refine import refine_regions
-from gpswb.core.robust.consensus import CREASE
+from gpswb.core.robust.strips import few_polygons
 from gpswb.core.robust.topology import FacetGraph
 from gpswb.core.tolerances import Tolerances
-
-STRIPS = 5
-"""Polygons that smoothly follow each other before they can be a curved face: fewer planes in a row
-are planes."""
 
 
 def label_leftover(
@@ -46,14 +42,7 @@ def label_leftover(
     flat = np.zeros(len(label), dtype=bool)
     if not rest.any():
         return out, flat
-    joined = rest[graph.pairs].all(axis=1)
-    joined &= (np.abs(graph.pair_dihedral) < CREASE) & (
-        ~first.crease | (polygon[graph.pairs[:, 0]] == polygon[graph.pairs[:, 1]])
-    )
-    part = graph.components(joined, len(label))
-    pieces = np.unique(np.column_stack([part[rest], polygon[rest]]), axis=0)
-    count = np.bincount(pieces[:, 0], minlength=int(part.max()) + 1)
-    few = rest & (count[part] < STRIPS)
+    few = few_polygons(graph, polygon, rest, first.crease)
     base = int(label.max(initial=-1)) + 1
     out[few] = base + polygon[few]
     flat[few] = True

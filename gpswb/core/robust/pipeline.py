@@ -17,6 +17,7 @@ from gpswb.core.region_samples import confined_normals, region_samples
 from gpswb.core.robust.competition import compete
 from gpswb.core.robust.consensus import find_surfaces
 from gpswb.core.robust.describe import describe_surface
+from gpswb.core.robust.evidence import is_exact
 from gpswb.core.robust.freeform import dissolve
 from gpswb.core.robust.growth import Grown, fit_facets, grow
 from gpswb.core.robust.leftover import label_leftover
@@ -59,7 +60,7 @@ def partition_robust(
     with clock.stage("refine"):
         graph = FacetGraph.of(mesh)
         polygon = coplanar_polygons(mesh, graph, TIERS[0] * mesh.diagonal)
-        surfaces = simple_surfaces(mesh, graph, polygon, clock)
+        surfaces = simple_surfaces(mesh, graph, polygon, first.region, clock)
         label = np.full(len(mesh.triangles), -1, dtype=np.int64)
         for i, grown in enumerate(surfaces):
             label[grown.facets] = i
@@ -86,24 +87,25 @@ def partition_robust(
 
 
 def simple_surfaces(
-    mesh: Mesh, graph: FacetGraph, polygon: IntArray, clock: StageClock
+    mesh: Mesh, graph: FacetGraph, polygon: IntArray, initial: IntArray, clock: StageClock
 ) -> list[Grown]:
     """Planes, cylinders, cones, spheres and tori with the connected facets that prove them."""
     fine = TIERS[0] * mesh.diagonal
     certain = certain_planes(mesh, polygon, fine)
     whole = mesh.areas > 0.0
-    free = whole & ~certain[polygon]
     found: list[Grown] = []
     for number, tier in enumerate(TIERS):
         tolerance = tier * mesh.diagonal
-        found = [_regrow(mesh, graph, g, free, tolerance) for g in found]
-        found += find_surfaces(mesh, graph, free, tolerance)
-        found = compete(mesh, graph, found, polygon, certain, fine)
+        # What isn't exact yet may be a piece of something larger, which shows at a wider tolerance.
+        found = [g for g in found if is_exact(mesh, g)]
         free = whole & ~certain[polygon]
         for g in found:
             free[g.facets] = False
+        found = [_regrow(mesh, graph, g, free, tolerance) for g in found]
+        found += find_surfaces(mesh, graph, free, initial, tolerance)
+        found = compete(mesh, graph, found, polygon, certain, fine)
         clock.report("refine", (number + 1) / (len(TIERS) + 1))
-    found = dissolve(mesh, graph, found, whole & ~certain[polygon])
+    found = dissolve(mesh, graph, found, polygon, whole & ~certain[polygon])
     planes = []
     order = np.argsort(polygon, kind="stable")
     bounds = np.searchsorted(polygon[order], np.arange(len(certain) + 1))
