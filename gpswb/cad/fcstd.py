@@ -11,7 +11,7 @@ import zipfile
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
-from xml.etree import ElementTree
+from xml.etree import ElementTree as ET
 
 import numpy as np
 
@@ -39,12 +39,15 @@ def stored_shapes(path: Path) -> list[StoredShape]:
     """
     try:
         with zipfile.ZipFile(path) as archive:
-            root = ElementTree.fromstring(_member(archive, "Document.xml", _MOST_XML))
+            text = _member(archive, "Document.xml", _MOST_XML)
+            if b"<!DOCTYPE" in text:
+                raise ValueError("Document.xml declares entities")
+            root = ET.fromstring(text)  # noqa: S314 - bounded, and without entities
             shapes = [
                 StoredShape(_member(archive, name, _MOST_BYTES), placement)
                 for name, placement in _final(root)
             ]
-    except (zipfile.BadZipFile, ElementTree.ParseError, KeyError, OSError, ValueError) as error:
+    except (zipfile.BadZipFile, ET.ParseError, KeyError, OSError, ValueError) as error:
         raise InputError(f"{path}: not a FreeCAD document that can be read ({error})") from None
     if not shapes:
         raise InputError(f"{path}: the document holds no shape")
@@ -57,7 +60,7 @@ def _member(archive: zipfile.ZipFile, name: str, most: int) -> bytes:
     return archive.read(name)
 
 
-def _final(root: ElementTree.Element) -> Iterator[tuple[str, FloatArray]]:
+def _final(root: ET.Element) -> Iterator[tuple[str, FloatArray]]:
     data = {o.get("name", ""): o for o in root.findall("./ObjectData/Object")}
     files = {name: file for name, item in data.items() if (file := _shape_file(item))}
     used = {
@@ -85,13 +88,13 @@ def _final(root: ElementTree.Element) -> Iterator[tuple[str, FloatArray]]:
         yield file, placement
 
 
-def _shape_file(item: ElementTree.Element) -> str | None:
+def _shape_file(item: ET.Element) -> str | None:
     part = item.find("./Properties/Property[@name='Shape']/Part")
     file = None if part is None else part.get("file")
     return file if file and file.lower().endswith((".brp", ".brep")) else None
 
 
-def _placement(item: ElementTree.Element) -> FloatArray:
+def _placement(item: ET.Element) -> FloatArray:
     stored = item.find("./Properties/Property[@name='Placement']/PropertyPlacement")
     matrix = np.eye(4)
     if stored is None:

@@ -68,7 +68,7 @@ def _same_surface(
     p, n, _ = sample(b, order=5)
     if first.nominal in ("planar", "cylindrical", "spherical"):
         return _on_fit(first, p, n, tolerance)
-    q, m, _ = sample(a, order=16)
+    q, _, _ = sample(a, order=16)
     return _same_sweep(first, q, p, tolerance)
 
 

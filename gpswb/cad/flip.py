@@ -86,8 +86,8 @@ def _choose(mesh: Tessellation, first: IntArray, second: IntArray) -> BoolArray:
     new1, new2 = _area(ua, uv_d, uc), _area(uv_d, ub, uc)
     least = 1e-3 * np.abs(old)
     # At a pole one parameter means nothing: there the exact normals decide alone.
-    pole = (mesh.free > 0).any(axis=1)
-    valid = (np.sign(old) * new1 > least) & (np.sign(old) * new2 > least) | pole[t1] | pole[t2]
+    pole: BoolArray = (mesh.free > 0).any(axis=1)
+    valid: BoolArray = (np.sign(old) * np.minimum(new1, new2) > least) | pole[t1] | pole[t2]
     normal = mesh.normal[t1].mean(axis=1) + mesh.normal[t2].mean(axis=1)
     valid &= _agrees(normal, d - a, c - a) & _agrees(normal, b - d, c - d)
     wanted = (gain > _GAIN) & valid & (apex != ids[:, 2])
@@ -102,8 +102,9 @@ def _choose(mesh: Tessellation, first: IntArray, second: IntArray) -> BoolArray:
     rows = np.flatnonzero(wanted)
     owner[t1[rows]] = rows
     owner[t2[rows]] = rows
-    wanted[rows] = (owner[t1[rows]] == rows) & (owner[t2[rows]] == rows)
-    return wanted
+    chosen = np.zeros(len(first), dtype=bool)
+    chosen[rows] = (owner[t1[rows]] == rows) & (owner[t2[rows]] == rows)
+    return chosen
 
 
 def _apply(mesh: Tessellation, first: IntArray, second: IntArray) -> Tessellation:
@@ -136,7 +137,8 @@ def _agrees(normal: FloatArray, x: FloatArray, y: FloatArray) -> BoolArray:
     cross = np.cross(x, y)
     bound = _LEAST_COSINE * np.linalg.norm(cross, axis=1) * np.linalg.norm(normal, axis=1)
     dot: FloatArray = np.einsum("ij,ij->i", normal, cross)
-    return (dot > bound) & (dot > 0)
+    agrees: BoolArray = (dot > bound) & (dot > 0)
+    return agrees
 
 
 def _angle(p: FloatArray, q: FloatArray, r: FloatArray) -> FloatArray:

@@ -267,4 +267,3 @@ class FreecadShape:
     def _forward(self, i: int) -> Any:
         face = self.faces[i].face
         return face.reversed() if self.faces[i].outward < 0 else face
-

@@ -24,7 +24,8 @@ def read(path: Path, form: Format) -> FreecadShape:
     Raises:
         InputError: FreeCAD can't read the file, or it holds no face with a surface.
     """
-    unit, notes = "mm", ()
+    unit = "mm"
+    notes: tuple[str, ...] = ()
     if form == "step":
         names = step_units(path.read_bytes()) or ["mm"]
         unit = names[0]
@@ -51,8 +52,7 @@ def read(path: Path, form: Format) -> FreecadShape:
 def _part_read(file: Path, named: Path) -> Any:
     try:
         return Part.read(str(file))
-    except Exception as error:
-        # FreeCAD raises its own exception types; the first line is what the user can use.
+    except (Part.OCCError, FreeCAD.Base.FreeCADError, OSError, RuntimeError, ValueError) as error:
         reason = str(error).strip().splitlines()[:1] or ["unknown reason"]
         raise InputError(f"{named}: FreeCAD can't read the file ({reason[0]})") from None
 

@@ -7,9 +7,11 @@ curves in parameter space to rounding, which tells the same.
 
 from __future__ import annotations
 
+import math
 from typing import Any, Protocol
 
 import numpy as np
+import Part
 from FreeCAD import Base
 from scipy.optimize import minimize_scalar
 
@@ -90,17 +92,17 @@ def _on_curve(
 
 
 def _gap(p: Any, x: float, y: float, extent: FloatArray) -> float:
-    return max(abs(p.x - x) / float(extent[0]), abs(p.y - y) / float(extent[1]))
+    return float(max(abs(p.x - x) / float(extent[0]), abs(p.y - y) / float(extent[1])))
 
 
 def _projected(curve: Any, first: float, last: float, x: float, y: float) -> float | None:
     """The kernel's projection; None where it finds no foot."""
     try:
         t = float(curve.parameter(Base.Vector2d(x, y)))
-    except Exception:  # Part.OCCError, which isn't importable in every version
+    except (Part.OCCError, RuntimeError):
         return None
     # A periodic curve gives the parameter of its first turn.
-    period = 2 * np.pi
+    period = 2 * math.pi
     if t < first - 1e-9 and t + period <= last + 1e-9:
         t += period
     elif t > last + 1e-9 and t - period >= first - 1e-9:

@@ -23,7 +23,7 @@ from gpswb.core.mesh import FloatArray
 class Fit:
     """Best motion group of one class: its residual, axis and thickness.
 
-    ``deviation`` is the largest distance, as a fraction of the surface's size, of the points from
+    ``deviation`` is the distance, as a fraction of the surface's size, of the points from
     one surface of the class: what is left after the group's motions are divided out.
     ``next_residual`` (helical only) is that of the second best motion, ``turns`` how far the points
     wind about the axis.
@@ -178,28 +178,27 @@ def _screw_fit(p: FloatArray, n: FloatArray, w: FloatArray, screw: FloatArray) -
     speed = w @ (velocity**2).sum(axis=1)
     residual = float(w @ (velocity * n).sum(axis=1) ** 2 / speed)
     d = omega / turn
-    point = np.cross(omega, t) / turn**2
+    point: FloatArray = (np.cross(omega, t) / turn**2).astype(np.float64)
     pitch = float(omega @ t) / turn**2
     x, y = _across(d)
     arm = p - point
     u, s, z = arm @ x, arm @ y, arm @ d
     rho, phi = np.hypot(u, s), np.arctan2(s, u)
-    if abs(pitch) < 1e-12:
-        section = np.column_stack([rho, z])
-        normal = np.column_stack([(n @ x * u + n @ y * s) / np.maximum(rho, 1e-12), n @ d])
-    else:
+    normal = np.column_stack([(n @ x * u + n @ y * s) / np.maximum(rho, 1e-12), n @ d])
+    height, turns = z, 0.0
+    if abs(pitch) > 1e-12:
         # Divide the turn out by carrying every point back along its helix to the half plane.
         lead = 2 * np.pi * pitch
         height = z - pitch * phi
-        section = np.column_stack([rho, height - lead * np.floor(height / lead)])
-        normal = np.column_stack([(n @ x * u + n @ y * s) / np.maximum(rho, 1e-12), n @ d])
-    # Points that wind further about the axis than the lead tells are counted by their height.
-    turns = np.ptp(z) / abs(2 * np.pi * pitch) if abs(pitch) > 1e-12 else 0.0
+        height = height - lead * np.floor(height / lead)
+        turns = float(np.ptp(z)) / abs(lead)
+    section = np.column_stack([rho, height])
     return Fit(residual, _thickness(section, normal), point, d, 2 * np.pi * pitch, turns=turns)
 
 
 def _thickness(section: FloatArray, normal: FloatArray) -> float:
-    """Largest distance of points of a plane section from their neighbours' common curve.
+    """Distance of the points of a plane section from their neighbours' common curve: the largest
+    but for one in twenty, which the section's ends and corners may spoil.
 
     Each pair of close points gives the distance that one has from the osculating parabola of the
     other, (n_i + n_j)/2 . (p_j - p_i): exact to third order on a smooth curve.
@@ -229,5 +228,6 @@ def _across(d: FloatArray) -> tuple[FloatArray, FloatArray]:
     """Two unit vectors that make a right-handed frame with d."""
     helper = np.eye(3)[int(np.abs(d).argmin())]
     x = np.cross(d, helper)
-    x /= np.linalg.norm(x)
-    return x, np.cross(d, x)
+    unit: FloatArray = x / np.linalg.norm(x)
+    other: FloatArray = np.cross(d, unit).astype(np.float64)
+    return unit, other

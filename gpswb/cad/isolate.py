@@ -48,7 +48,7 @@ def run_isolated(
     with tempfile.TemporaryDirectory(prefix="gpswb-") as folder:
         answer = Path(folder) / "answer.json"
         job = {"function": function, "args": args, "memory_mb": memory_mb, "answer": str(answer)}
-        process = subprocess.Popen(
+        process = subprocess.Popen(  # noqa: S603 - our own Python, our own module
             [_python(), "-m", "gpswb.cad.isolate"],
             stdin=subprocess.PIPE,
             stdout=subprocess.DEVNULL,
@@ -100,7 +100,7 @@ def _serve() -> None:
             "error": "KernelError",
             "message": f"needs more than {job['memory_mb']} MB of memory",
         }
-    except Exception as error:
+    except Exception as error:  # noqa: BLE001 - the caller gets it as a KernelError
         text = " ".join(str(error).split())[:200]
         outcome = {"error": "KernelError", "message": f"{type(error).__name__}: {text}"}
     Path(job["answer"]).write_text(json.dumps(outcome))

@@ -29,8 +29,8 @@ AUTO_DIVISIONS = 8
 _COARSEST = 20
 """No side is longer than this fraction of the part's diagonal where density follows curvature."""
 _START_DEFLECTION = 0.004
-"""Linear deflection of the mesh that refinement starts from, as a fraction of the diagonal. BRepMesh
-doesn't resolve edges below a tenth of it, so the angle alone can't be relied upon."""
+"""Linear deflection of the mesh that refinement starts from, as a fraction of the diagonal. It
+must be small: BRepMesh doesn't resolve what lies below a tenth of it."""
 _ARC_FACTOR = 1.95
 """BRepMesh cuts a full arc into sides of about half its angular deflection [measured]."""
 _CAP = 250_000

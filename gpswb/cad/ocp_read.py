@@ -4,17 +4,21 @@
 from __future__ import annotations
 
 import contextlib
+import tempfile
 from collections.abc import Iterator
 from pathlib import Path
 
 from OCP.BRep import BRep_Builder
 from OCP.BRepTools import BRepTools
+from OCP.gp import gp_Trsf
 from OCP.IFSelect import IFSelect_RetDone
 from OCP.Message import Message
 from OCP.STEPControl import STEPControl_Reader
 from OCP.TColStd import TColStd_SequenceOfAsciiString
-from OCP.TopoDS import TopoDS_Shape
+from OCP.TopLoc import TopLoc_Location
+from OCP.TopoDS import TopoDS_Compound, TopoDS_Shape
 
+from gpswb.cad.fcstd import stored_shapes
 from gpswb.cad.ocp import OcpShape
 from gpswb.cad.sniff import Format
 from gpswb.cad.units import unit_name
@@ -31,9 +35,9 @@ def read(path: Path, form: Format) -> OcpShape:
         if form == "step":
             shape, unit, notes = _read_step(path)
         elif form == "brep":
-            shape, unit, notes = _read_brep(path), "mm", ()
+            shape, unit, notes = _read_brep(path, path), "mm", ()
         else:
-            raise InputError(f"{path}: FCStd documents are read with --kernel freecad")
+            shape, unit, notes = _read_fcstd(path), "mm", ()
         if shape is None or shape.IsNull():
             raise InputError(f"{path}: the file holds no shape")
         result = OcpShape(shape, unit, notes)
@@ -49,25 +53,42 @@ def _read_step(path: Path) -> tuple[TopoDS_Shape | None, str, tuple[str, ...]]:
     lengths, angles, solids = (TColStd_SequenceOfAsciiString() for _ in range(3))
     reader.FileUnits(lengths, angles, solids)
     names = [unit_name(lengths.Value(i).ToCString()) for i in range(1, lengths.Size() + 1)]
-    unit, notes = (names[0] if names else "mm"), ()
+    unit = names[0] if names else "mm"
+    notes: tuple[str, ...] = ()
     if len(set(names)) > 1:
         notes = (f"the file uses several length units: {', '.join(dict.fromkeys(names))}",)
     reader.TransferRoots()
     return (reader.OneShape() if reader.NbShapes() else None), unit, notes
 
 
-def _read_brep(path: Path) -> TopoDS_Shape:
+def _read_brep(file: Path, named: Path) -> TopoDS_Shape:
     shape = TopoDS_Shape()
-    if not BRepTools.Read_s(shape, str(path), BRep_Builder()):
-        raise InputError(f"{path}: not a BREP file that the kernel can read")
+    if not BRepTools.Read_s(shape, str(file), BRep_Builder()):
+        raise InputError(f"{named}: not a BREP file that the kernel can read")
     return shape
+
+
+def _read_fcstd(path: Path) -> TopoDS_Shape:
+    builder, compound = BRep_Builder(), TopoDS_Compound()
+    builder.MakeCompound(compound)
+    shapes = []
+    with tempfile.TemporaryDirectory(prefix="gpswb-") as folder:
+        for i, stored in enumerate(stored_shapes(path)):
+            file = Path(folder) / f"{i}.brep"
+            file.write_bytes(stored.brep)
+            move = gp_Trsf()
+            move.SetValues(*stored.placement[:3].ravel().tolist())
+            shapes.append(_read_brep(file, path).Moved(TopLoc_Location(move)))
+    for shape in shapes:
+        builder.Add(compound, shape)
+    return shapes[0] if len(shapes) == 1 else compound
 
 
 @contextlib.contextmanager
 def _quiet() -> Iterator[None]:
     """Keep OCCT's own reports off standard output."""
     messenger = Message.DefaultMessenger_s()
-    printers = [p for p in messenger.Printers()]
+    printers = list(messenger.Printers())
     for printer in printers:
         messenger.RemovePrinter(printer)
     try:

@@ -14,7 +14,7 @@ from gpswb.cad.density import Density
 from gpswb.cad.features import maximal_features
 from gpswb.cad.kernel import Shape
 from gpswb.cad.mesher import tessellate
-from gpswb.cad.sniff import sniff
+from gpswb.cad.sniff import Format, sniff
 from gpswb.cad.solid import Face, FaceMap, Solid
 from gpswb.cad.truth import face_truth
 from gpswb.core.mesh import Mesh
@@ -35,7 +35,7 @@ def read_solid(
     Args:
         path: the file.
         density: how fine.
-        kernel: ``ocp`` or ``freecad`` (FreeCAD's Part; the only one for FCStd).
+        kernel: ``ocp`` or ``freecad`` (FreeCAD's Part).
         progress: called with the stage's name and the share done, 0 to 1.
 
     Raises:
@@ -79,12 +79,12 @@ def read_solid(
     )
 
 
-def _load(source: Path, form: str, kernel: Kernel) -> Shape:
+def _load(source: Path, form: Format, kernel: Kernel) -> Shape:
     try:
         if kernel == "ocp":
             from gpswb.cad import ocp_read
 
-            return ocp_read.read(source, form)  # type: ignore[arg-type]
+            return ocp_read.read(source, form)
         from gpswb.cad import freecad_read
 
         return freecad_read.read(source, form)

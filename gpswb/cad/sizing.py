@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How long a side may be: by curvature, by the face's own extent, by the distance to small detail."""
+"""How long a side may be: by curvature, the face's extent, the distance to small detail."""
 
 from __future__ import annotations
 

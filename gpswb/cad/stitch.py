@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Last repairs of a body's mesh: borders that touch but don't share B-rep edges, inverted bodies."""
+"""Last repairs of a body's mesh: borders that touch but share no B-rep edge, inverted bodies."""
 
 from __future__ import annotations
 

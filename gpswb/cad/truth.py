@@ -18,7 +18,7 @@ from gpswb.core.mesh import FloatArray
 
 EXACT = 1e-10
 """Residual (mean squared sine) of a surface that is exactly of a class. Analytic surfaces and exact
-NURBS give 1e-15 and less, threads swept by a kernel 1e-11; the smallest of another class is 5e-4."""
+NURBS give 1e-15 and less, threads swept by a kernel 1e-11; another class's least seen is 5e-4."""
 _RESIDUAL = 2e-3
 """No surface within tolerance of a class has a larger residual (a SolidWorks coil has 2e-3)."""
 _RELATIVE, _ABSOLUTE, _RESOLUTION = 1e-4, 5e-4, 1e-5

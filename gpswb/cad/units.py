@@ -24,14 +24,11 @@ def unit_name(text: str) -> str:
     return _SHORT.get(text.strip().strip("'").upper(), text.strip().lower())
 
 
-_SI = re.compile(rb"LENGTH_UNIT\s*\(\s*\)[^;]*?SI_UNIT\s*\(\s*(\$|\.\w+\.)\s*,\s*\.METRE\.\s*\)", re.I)
-_SI_FIRST = re.compile(
-    rb"SI_UNIT\s*\(\s*(\$|\.\w+\.)\s*,\s*\.METRE\.\s*\)[^;]*?LENGTH_UNIT\s*\(\s*\)", re.I
-)
-_CONVERSION = re.compile(
-    rb"CONVERSION_BASED_UNIT\s*\(\s*'([^']*)'[^;]*?\)[^;]*?LENGTH_UNIT\s*\(\s*\)", re.I
-)
-_PREFIX = {b"$": "m", b".MILLI.": "mm", b".CENTI.": "cm", b".KILO.": "km", b".MICRO.": "um"}
+_METRE = re.compile(rb"SI_UNIT\s*\(\s*(\$|\.\w+\.)\s*,\s*\.METRE\.\s*\)", re.IGNORECASE)
+_CONVERSION = re.compile(rb"CONVERSION_BASED_UNIT\s*\(\s*'([^']*)'", re.IGNORECASE)
+_ENTITY = re.compile(rb"#(\d+)\s*=\s*([^;]*LENGTH_UNIT[^;]*);", re.IGNORECASE)
+_CONTEXT = re.compile(rb"GLOBAL_UNIT_ASSIGNED_CONTEXT\s*\(\s*\(([^)]*)\)", re.IGNORECASE)
+_PREFIX = {"$": "m", ".MILLI.": "mm", ".CENTI.": "cm", ".KILO.": "km", ".MICRO.": "um"}
 
 
 def step_units(text: bytes) -> list[str]:
@@ -40,15 +37,10 @@ def step_units(text: bytes) -> list[str]:
     Args:
         text: the file's bytes.
     """
-    entity = {
-        m.group(1): m.group(2)
-        for m in re.finditer(rb"#(\d+)\s*=\s*([^;]*UNIT[^;]*);", text, re.I)
-    }
-    found = []
-    for context in re.finditer(
-        rb"GLOBAL_UNIT_ASSIGNED_CONTEXT\s*\(\s*\(([^)]*)\)", text, re.I
-    ):
-        for number in re.findall(rb"#(\d+)", context.group(1)):
+    entity = dict(_ENTITY.findall(text))
+    found: list[str] = []
+    for context in _CONTEXT.findall(text):
+        for number in re.findall(rb"#(\d+)", context):
             name = _length_unit(entity.get(number, b""))
             if name and name not in found:
                 found.append(name)
@@ -56,12 +48,11 @@ def step_units(text: bytes) -> list[str]:
 
 
 def _length_unit(entity: bytes) -> str | None:
-    conversion = _CONVERSION.search(entity) or re.search(
-        rb"LENGTH_UNIT\s*\(\s*\)[^;]*?CONVERSION_BASED_UNIT\s*\(\s*'([^']*)'", entity, re.I
-    )
+    conversion = _CONVERSION.search(entity)
     if conversion:
         return unit_name(conversion.group(1).decode("ascii", "replace"))
-    si = _SI.search(entity) or _SI_FIRST.search(entity)
-    if not si:
+    metre = _METRE.search(entity)
+    if not metre:
         return None
-    return _PREFIX.get(si.group(1).upper(), si.group(1).decode().strip(".").lower() + "metre")
+    prefix = metre.group(1).decode().upper()
+    return _PREFIX.get(prefix, prefix.strip(".").lower() + "metre")

@@ -31,7 +31,7 @@ class Tessellation:
         edge: (m, 3) B-rep edge that each side lies on, -1 inside a face.
         side: (m, 3) which pass of the edge (0, or 1 on the far side of a seam).
         ends: (m, 3, 2) edge parameters at both ends of each side; 0 inside a face.
-        free: (m, 3) parameter that doesn't matter at a corner: 1 is u, 2 is v (pole or apex), else 0.
+        free: (m, 3) parameter without meaning at a corner (pole, apex): 1 is u, 2 is v; else 0.
     """
 
     vertices: FloatArray
