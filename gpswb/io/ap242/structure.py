@@ -171,13 +171,13 @@ def _occurrences(
         product = file[shape]["PRODUCT_DEFINITION_SHAPE"][-1]
         of_product.setdefault(product, set()).update(same.get(representation, {representation}))
     for number in file.of("CONTEXT_DEPENDENT_SHAPE_REPRESENTATION"):
-        relation, shape = file[number]["CONTEXT_DEPENDENT_SHAPE_REPRESENTATION"][:2]
+        relation, placed = file[number]["CONTEXT_DEPENDENT_SHAPE_REPRESENTATION"][:2]
         occurrence = _related(file, relation)
         if occurrence is None:
             continue
-        one, other = occurrence[:2]
-        first, second = occurrence[2:]
-        definition = file.get(shape, "PRODUCT_DEFINITION_SHAPE")
+        one, other = occurrence[0], occurrence[1]
+        first, second = occurrence[2], occurrence[3]
+        definition = file.get(placed, "PRODUCT_DEFINITION_SHAPE")
         usage = file.get(definition[-1], "NEXT_ASSEMBLY_USAGE_OCCURRENCE") if definition else None
         # Systems disagree on which of the two is the component: the product structure decides.
         swapped = (
