@@ -66,7 +66,7 @@ def find_surfaces(
     free: BoolArray,
     initial: IntArray,
     tolerance: float,
-    rings: tuple[int, ...] = (2, 4),
+    rings: tuple[int, ...] = (2, 4, 8),
 ) -> list[Grown]:
     """Surfaces that connected facets lie on, largest evidence first.
 
@@ -100,7 +100,8 @@ def find_surfaces(
                 hypotheses, smooth = explain(
                     mesh, patches_around(mesh, graph, batch, passable, size), tolerance
                 )
-                freeform[smooth] = True
+                if size == rings[-1]:
+                    freeform[smooth] = True
                 hypotheses.sort(key=lambda h: -h.score)
                 for h in hypotheses:
                     if not free[h.seed] or freeform[h.seed]:
@@ -112,7 +113,8 @@ def find_surfaces(
                         continue
                     sure = is_exact(mesh, rough)
                     if not sure and drifts(mesh, graph, rough, tolerance):
-                        freeform[touched] = True
+                        if size == rings[-1]:
+                            freeform[touched] = True
                         continue
                     grown = simplest(mesh, graph, h, free, tolerance)
                     if not sure:

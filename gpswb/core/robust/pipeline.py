@@ -97,12 +97,16 @@ def simple_surfaces(
     for number, tier in enumerate(TIERS):
         tolerance = tier * mesh.diagonal
         # What isn't exact yet may be a piece of something larger, which shows at a wider tolerance.
-        found = [g for g in found if is_exact(mesh, g)]
+        weak = [g for g in found if not is_exact(mesh, g)]
         free = whole & ~certain[polygon]
+        found = [g for g in found if is_exact(mesh, g)]
         for g in found:
             free[g.facets] = False
         found = [_regrow(mesh, graph, g, free, tolerance) for g in found]
-        found += find_surfaces(mesh, graph, free, initial, tolerance)
+        new = find_surfaces(mesh, graph, free, initial, tolerance)
+        for g in new:
+            free[g.facets] = False
+        found += new + _still_free(weak, free)
         found = compete(mesh, graph, found, polygon, certain, fine)
         clock.report("refine", (number + 1) / (len(TIERS) + 1))
     found = dissolve(mesh, graph, found, polygon, whole & ~certain[polygon])
@@ -118,6 +122,17 @@ def simple_surfaces(
             continue
         planes.append(Grown("plane", fit_facets(mesh, "plane", facets), facets))
     return planes + found
+
+
+def _still_free(weak: list[Grown], free: BoolArray) -> list[Grown]:
+    """Regions of which most is still free, larger first, without what is not."""
+    kept = []
+    for g in sorted(weak, key=lambda g: -len(g.facets)):
+        own = g.facets[free[g.facets]]
+        if len(own) > 0.7 * len(g.facets):
+            free[own] = False
+            kept.append(Grown(g.kind, g.surface, own))
+    return kept
 
 
 def _regrow(

@@ -10,6 +10,10 @@ import numpy as np
 from gpswb.core.mesh import BoolArray, FloatArray, IntArray, Mesh
 from gpswb.core.robust.topology import FacetGraph
 
+FLAT = 2e-3
+"""Turning angle (rad) of two facets of a plane at most: a fine mesh of a large cylinder keeps the
+distances, but turns by more."""
+
 
 def coplanar_polygons(mesh: Mesh, graph: FacetGraph, tolerance: float) -> IntArray:
     """Join facets whose vertices lie in one plane.
@@ -41,7 +45,8 @@ def coplanar_polygons(mesh: Mesh, graph: FacetGraph, tolerance: float) -> IntArr
     # A sliver's plane is only known as well as its altitude: it tilts by tolerance / altitude.
     lever = altitude[:, ::-1] / np.maximum(altitude, 1e-300)
     joined = (height <= tolerance * np.maximum(1.0, lever)).all(axis=1)
-    joined &= np.abs(graph.pair_dihedral) < 0.5
+    turn = FLAT + 0.04 * tolerance / np.maximum(altitude.min(axis=1), 1e-300)
+    joined &= np.abs(graph.pair_dihedral) < np.minimum(turn, 0.5)
     label = graph.components(joined, m)
     # Small steps add up along a gently curved surface: such chains fall apart again.
     bad = _deviation(mesh, label) > 3.0 * tolerance
