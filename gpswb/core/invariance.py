@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The seven ISO GPS invariance classes (ISO 17450-1; paper, Table 2): one vocabulary for every module."""
+"""The seven ISO GPS invariance classes (ISO 17450-1; paper, Table 2): one vocabulary for all."""
 
 from __future__ import annotations
 

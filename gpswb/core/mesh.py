@@ -38,7 +38,9 @@ class Mesh:
             raise ValueError(f"triangles must have shape (m, 3), not {triangles.shape}")
         if not np.isfinite(vertices).all():
             bad = int((~np.isfinite(vertices).all(axis=1)).sum())
-            raise ValueError(f"{bad} of {len(vertices)} vertices have a coordinate that is not finite")
+            raise ValueError(
+                f"{bad} of {len(vertices)} vertices have a coordinate that is not finite"
+            )
         if len(triangles) and (triangles.min() < 0 or triangles.max() >= len(vertices)):
             raise ValueError(
                 f"triangles refer to vertices {triangles.min()}..{triangles.max()}, "
@@ -59,7 +61,8 @@ class Mesh:
     @cached_property
     def _cross(self) -> FloatArray:
         c = self.corners
-        return np.cross(c[:, 1] - c[:, 0], c[:, 2] - c[:, 0])
+        cross = np.cross(c[:, 1] - c[:, 0], c[:, 2] - c[:, 0])
+        return np.asarray(cross, dtype=np.float64)
 
     @cached_property
     def areas(self) -> FloatArray:
@@ -71,7 +74,10 @@ class Mesh:
     def facet_normals(self) -> FloatArray:
         """(m, 3) unit facet normals; zero for a degenerate facet."""
         length = 2.0 * self.areas[:, None]
-        return np.divide(self._cross, length, out=np.zeros_like(self._cross), where=length > 0)
+        normals: FloatArray = np.divide(
+            self._cross, length, out=np.zeros(self._cross.shape), where=length > 0
+        )
+        return normals
 
     @cached_property
     def centroids(self) -> FloatArray:

@@ -49,8 +49,8 @@ class Partition:
 
     Args:
         mesh: the mesh that was partitioned.
-        shape_type: (m,) int: the facet's shape type, -4..4 by shape index (paper, Table 5), 5 plane,
-            6 sharp edge.
+        shape_type: (m,) int: the facet's shape type, -4..4 by shape index (paper, Table 5), 5
+            plane, 6 sharp edge.
         initial_region: (m,) int id of each facet's initial region (paper, 5.2), 0-based.
         region: (m,) int index into ``regions``; -1 for a facet in none (degenerate facets).
         regions: the refined regions in order of their id.

@@ -164,9 +164,7 @@ def _upgraded(
     return grown
 
 
-def explain(
-    mesh: Mesh, patches: Patches, tolerance: float
-) -> tuple[list[Hypothesis], IntArray]:
+def explain(mesh: Mesh, patches: Patches, tolerance: float) -> tuple[list[Hypothesis], IntArray]:
     """The simplest surface that explains each patch, where one does, and the freeform facets.
 
     Plain least squares first; where a patch crosses a border, a robust fit may still find the
@@ -191,10 +189,10 @@ def explain(
             # A robust fit chooses its own points: it needs more of them to prove something.
             good = (score >= (3 if robust else 1)) & _is_finite(kind, local)
             good &= (np.abs(on_seed) <= tolerance).all(axis=1)
-            for row in np.flatnonzero(good):
-                hypotheses.append(
-                    Hypothesis(kind, world[row], int(patches.seed[row]), int(score[row]))
-                )
+            hypotheses.extend(
+                Hypothesis(kind, world[row], int(patches.seed[row]), int(score[row]))
+                for row in np.flatnonzero(good)
+            )
             if kind == "torus" and not robust:
                 smooth = ~good & (d.max(axis=1) < FREEFORM * _sagitta(patches))
                 facets = patches.facets[smooth].ravel()
@@ -214,7 +212,7 @@ def _sagitta(patches: Patches) -> FloatArray:
 
 
 def _is_finite(kind: Kind, local: FloatArray) -> BoolArray:
-    """Whether the surface bends at all on the scale of its patch; else it is a plane in disguise."""
+    """Whether the surface bends at all on the scale of its patch; else it is all but a plane."""
     size = local[:, 7] if kind == "torus" else local[:, 6]
     finite: BoolArray = np.isfinite(local).all(axis=1) & (np.abs(size) < 1e3)
     return finite
@@ -230,7 +228,7 @@ def _passable(graph: FacetGraph, free: BoolArray) -> BoolArray:
 
 def _component_size(graph: FacetGraph, free: BoolArray) -> IntArray:
     """(m,) number of free facets that hang together with each."""
-    joined = free[graph.pairs].all(axis=1)
+    joined = np.logical_and(free[graph.pairs[:, 0]], free[graph.pairs[:, 1]])
     label = graph.components(joined, len(free))
     size: IntArray = np.bincount(label)[label]
     return size
@@ -265,4 +263,5 @@ def _fair(seeds: IntArray, initial: IntArray) -> IntArray:
     stride = np.repeat(-(-counts // SHARE), counts)
     chosen = np.zeros(len(seeds), dtype=bool)
     chosen[order] = rank % stride == 0
-    return seeds[chosen]
+    fair: IntArray = seeds[chosen]
+    return fair

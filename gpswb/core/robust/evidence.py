@@ -43,9 +43,9 @@ def enough_evidence(mesh: Mesh, graph: FacetGraph, grown: Grown, tolerance: floa
     if grown.kind in ("cylinder", "cone"):
         if distinct_rulings(points, grown.surface) < LINES:
             return False
-    elif len(points) < POINTS:
-        return False
-    elif grown.kind == "torus" and distinct_places(points, grown.surface) < PROFILE:
+    elif len(points) < POINTS or (
+        grown.kind == "torus" and distinct_places(points, grown.surface) < PROFILE
+    ):
         return False
     if sagitta(mesh, grown) < 20.0 * tolerance:
         return False
@@ -90,7 +90,7 @@ def _distinct(angle: FloatArray) -> int:
 
 
 def sagitta(mesh: Mesh, grown: Grown) -> float:
-    """How far the region's vertices leave their mean plane, mm: a flat region proves no curvature."""
+    """How far the region's vertices leave their mean plane, mm: a flat one proves no curvature."""
     points = mesh.vertices[np.unique(mesh.triangles[grown.facets])]
     x = points - points.mean(axis=0)
     normal = np.linalg.eigh(x.T @ x)[1][:, 0]
@@ -98,7 +98,7 @@ def sagitta(mesh: Mesh, grown: Grown) -> float:
 
 
 def drifts(mesh: Mesh, graph: FacetGraph, grown: Grown, tolerance: float) -> bool:
-    """Whether the mesh leaves the surface slowly behind many of the region's smooth border edges."""
+    """Whether the mesh leaves the surface slowly behind many of the smooth border edges."""
     inside = np.zeros(len(mesh.triangles), dtype=bool)
     inside[grown.facets] = True
     neighbour = graph.neighbour[grown.facets]

@@ -44,7 +44,9 @@ def fit_patches(
         starts = [_guess(kind, points, weights, centres, normals)]
     if len(starts) > 1:
         rough = [fit(kind, s, points, weights, robust_floor, iterations=12) for s in starts]
-        error = [np.sum(weights * np.abs(distance_jacobian(kind, r, points)[0]), axis=1) for r in rough]
+        error = [
+            np.sum(weights * np.abs(distance_jacobian(kind, r, points)[0]), axis=1) for r in rough
+        ]
         best = np.argmin(np.nan_to_num(np.array(error), nan=np.inf), axis=0)
         start = np.stack(rough)[best, np.arange(len(points))]
     else:
@@ -273,9 +275,7 @@ def _meeting_point(centres: FloatArray, normals: FloatArray, axis: FloatArray) -
     mean = np.einsum("bf,bfk->bk", weight, centres) / np.maximum(weight.sum(axis=1), 1e-12)[:, None]
     x = centres - mean[:, None]
     x = x - np.einsum("bfk,bk->bf", x, axis)[..., None] * axis[:, None]
-    rhs = np.einsum("bf,bfk->bk", q, x) - np.einsum(
-        "bfi,bfj,bfj->bi", flat, flat, x
-    )
+    rhs = np.einsum("bf,bfk->bk", q, x) - np.einsum("bfi,bfj,bfj->bi", flat, flat, x)
     point: FloatArray = np.linalg.solve(h, rhs[..., None])[..., 0] + mean
     return point
 

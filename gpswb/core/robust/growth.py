@@ -54,18 +54,17 @@ def on_surface(
     centroids = mesh.centroids[facets]
     _, normal = distance(kind, surface[None], centroids[None])
     cosine = np.einsum("ik,ik->i", normal[0], mesh.facet_normals[facets])
-    if side:
-        cosine = cosine * side
-    else:
-        cosine = np.abs(cosine)
+    cosine = cosine * side if side else np.abs(cosine)
     edges = np.linalg.norm(corners - np.roll(corners, 1, axis=1), axis=2)
     area = np.maximum(mesh.areas[facets], 1e-300)
     bend = edges.prod(axis=1) / (4.0 * area) * largest_curvature(kind, surface, centroids)
     altitude = 2.0 * area / np.maximum(edges.max(axis=1), 1e-300)
     # A sliver's normal is only known to tolerance / altitude.
     slack = 0.02 + 2.0 * tolerance / np.maximum(altitude, 1e-300)
-    turn = np.arccos(np.clip(cosine, -1.0, 1.0))
-    return near & (turn <= np.minimum(TURN_SHARE * bend + slack, LARGEST_TURN))
+    sine = np.linalg.norm(np.cross(normal[0], mesh.facet_normals[facets]), axis=1)
+    turn = np.arctan2(sine, cosine)
+    lies: BoolArray = near & (turn <= np.minimum(TURN_SHARE * bend + slack, LARGEST_TURN))
+    return lies
 
 
 def grow(
@@ -111,7 +110,8 @@ def refit(mesh: Mesh, kind: Kind, surface: FloatArray, facets: IntArray) -> Floa
     scale = max(float(np.abs(points - centre).max()), 1e-300)
     local = to_local(surface[None], centre[None], np.array([scale]), kind)
     better = fit(kind, local, (points - centre)[None] / scale, np.ones((1, len(points))))
-    return to_world(better, centre[None], np.array([scale]), kind)[0]
+    refitted: FloatArray = to_world(better, centre[None], np.array([scale]), kind)[0]
+    return refitted
 
 
 def fit_facets(mesh: Mesh, kind: Kind, facets: IntArray) -> FloatArray:
@@ -129,7 +129,8 @@ def fit_facets(mesh: Mesh, kind: Kind, facets: IntArray) -> FloatArray:
         (mesh.centroids[facets] - centre)[None] / scale,
         (mesh.facet_normals[facets] * share[:, None])[None],
     )
-    return to_world(local, centre[None], np.array([scale]), kind)[0]
+    surface: FloatArray = to_world(local, centre[None], np.array([scale]), kind)[0]
+    return surface
 
 
 def residual(mesh: Mesh, grown: Grown) -> float:

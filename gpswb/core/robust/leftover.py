@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Facets that no simple surface explains: small flat polygons, fragments, and swept or free faces."""
+"""Facets that no simple surface explains: small flat polygons, fragments, swept or free faces."""
 
 from __future__ import annotations
 

@@ -12,7 +12,7 @@ from gpswb.core.invariance import InvarianceClass
 from gpswb.core.mesh import BoolArray, IntArray, Mesh
 from gpswb.core.partition import Partition, Region
 from gpswb.core.projection import number_facet_regions
-from gpswb.core.recognition import recognise
+from gpswb.core.recognition import always, recognise
 from gpswb.core.region_samples import confined_normals, region_samples
 from gpswb.core.robust.competition import compete
 from gpswb.core.robust.consensus import find_surfaces
@@ -172,7 +172,7 @@ def _recognise(
             regions.append(recognise(r, sample, merged, sigma, tolerances))
             continue
         name = CLASS_OF[grown.kind]
-        found = recognise(r, sample, merged, sigma, tolerances, choose=lambda e, p, n=name: n)
+        found = recognise(r, sample, merged, sigma, tolerances, choose=always(name))
         kind, situation, intrinsic, residual = describe_surface(grown, sample.vertices)
         regions.append(
             replace(

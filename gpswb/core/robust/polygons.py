@@ -36,8 +36,12 @@ def coplanar_polygons(mesh: Mesh, graph: FacetGraph, tolerance: float) -> IntArr
     height = np.abs(
         np.stack(
             [
-                np.einsum("ek,ek->e", mesh.facet_normals[a], mesh.vertices[apex[:, 1]] - edge[:, 0]),
-                np.einsum("ek,ek->e", mesh.facet_normals[b], mesh.vertices[apex[:, 0]] - edge[:, 0]),
+                np.einsum(
+                    "ek,ek->e", mesh.facet_normals[a], mesh.vertices[apex[:, 1]] - edge[:, 0]
+                ),
+                np.einsum(
+                    "ek,ek->e", mesh.facet_normals[b], mesh.vertices[apex[:, 0]] - edge[:, 0]
+                ),
             ],
             axis=1,
         )
@@ -113,10 +117,10 @@ def _deviation(mesh: Mesh, label: IntArray) -> FloatArray:
     k = int(label.max()) + 1
     weighted = mesh.facet_normals * mesh.areas[:, None]
     normal = np.stack([np.bincount(label, weighted[:, i], k) for i in range(3)], axis=1)
-    normal /= np.maximum(np.linalg.norm(normal, axis=1), 1e-300)[:, None]
+    normal = normal / np.maximum(np.linalg.norm(normal, axis=1), 1e-300)[:, None]
     count = np.bincount(label, minlength=k)
     centre = np.stack([np.bincount(label, mesh.centroids[:, i], k) for i in range(3)], axis=1)
-    centre /= np.maximum(count, 1)[:, None]
+    centre = centre / np.maximum(count, 1)[:, None]
     x = mesh.corners - centre[label][:, None]
     height = np.einsum("mck,mk->mc", x, normal[label])
     top = np.full(k, -np.inf)

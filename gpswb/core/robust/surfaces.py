@@ -114,6 +114,8 @@ def largest_curvature(kind: Kind, surface: FloatArray, points: FloatArray) -> Fl
     x = points - surface[:3]
     rho = np.linalg.norm(x - np.outer(x @ surface[3:6], surface[3:6]), axis=1)
     if kind == "cone":
-        return np.abs(np.cos(surface[7])) / np.maximum(rho, TINY)
+        around: FloatArray = np.abs(np.cos(surface[7])) / np.maximum(rho, TINY)
+        return around
     across = np.abs(rho - surface[6]) / np.maximum(rho, TINY) / max(abs(float(surface[7])), TINY)
-    return np.maximum(across, 1.0 / max(abs(float(surface[7])), TINY))
+    largest: FloatArray = np.maximum(across, 1.0 / max(abs(float(surface[7])), TINY))
+    return largest

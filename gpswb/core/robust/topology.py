@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from gpswb.core.mesh import FloatArray, IntArray, Mesh
+from gpswb.core.mesh import BoolArray, FloatArray, IntArray, Mesh
 
 
 @dataclass(frozen=True, eq=False)
@@ -52,7 +52,7 @@ class FacetGraph:
             dihedral[facet, column] = angle
         return cls(neighbour, dihedral, pairs, edges, angle)
 
-    def components(self, joined: npt_bool, m: int) -> IntArray:
+    def components(self, joined: BoolArray, m: int) -> IntArray:
         """(m,) component of each facet where ``joined`` (e,) says which pairs hang together."""
         from scipy.sparse import coo_array
         from scipy.sparse.csgraph import connected_components
@@ -61,6 +61,3 @@ class FacetGraph:
         graph = coo_array((np.ones(len(p), dtype=np.int8), (p[:, 0], p[:, 1])), shape=(m, m))
         label: IntArray = connected_components(graph, directed=False)[1].astype(np.int64)
         return label
-
-
-npt_bool = np.ndarray
