@@ -14,10 +14,16 @@ from gpswb.io.whole import whole_directory
 
 if TYPE_CHECKING:
     from gpswb.cli.one_part import Outcome
-    from gpswb.gps.annotation import Annotation
     from gpswb.gps.feature_table import FeatureTable
 
-OWNED = ("features.json", "features.csv", "specifications.csv")
+OWNED = (
+    "features.json",
+    "features.csv",
+    "specifications.csv",
+    "ap242.step",
+    "part.qif",
+    "coloured.step",
+)
 """Every file that this verb may write in the output directory."""
 
 _DATUM = re.compile(r"\s*([A-Z]{1,2})\s*=\s*([^,=]+?)\s*")
@@ -46,7 +52,18 @@ def register(verbs: argparse._SubParsersAction[argparse.ArgumentParser]) -> None
         help="tolerance values, JSON or CSV: feature, characteristic, value, datums, modifiers, "
         "upper, lower, fit",
     )
+    parser.add_argument(
+        "--ap242",
+        action="store_true",
+        help="write ap242.step: INPUT's own text with datums and given tolerances as semantic PMI",
+    )
+    parser.add_argument("--qif", action="store_true", help="write part.qif (QIF 3.0)")
     parser.add_argument("--csv", action="store_true", help="write features and specifications.csv")
+    parser.add_argument(
+        "--coloured",
+        action="store_true",
+        help="write coloured.step: faces named and coloured by class",
+    )
     add_density_option(parser)
     add_pipeline_options(parser)
     parser.set_defaults(run=run)
@@ -75,18 +92,25 @@ def run(args: argparse.Namespace) -> int:
 
 def _work(args: argparse.Namespace, draft: Path) -> tuple[list[str], list[str]]:
     """What is printed and the names of the files written in ``draft``."""
-    from gpswb.cli.annotation_lines import annotation_lines
+    from gpswb.cli.annotation_files import read_present, write_all
+    from gpswb.cli.annotation_lines import annotation_lines, review_lines
     from gpswb.cli.one_part import examine
     from gpswb.cli.progress import stage_bar
     from gpswb.gps.annotation import annotate
+    from gpswb.gps.review import review
     from gpswb.io.specification_file import read_specifications
 
     rows = read_specifications(args.specs) if args.specs else ()
     settings = Settings(args.density, args.mode, args.method, args.kernel)
     with stage_bar() as progress:
         outcome = examine(args.input, settings, progress)
-    annotation = annotate(features_of(outcome), args.datums, rows)
-    return annotation_lines(outcome.solid, annotation), write_all(draft, outcome, annotation, args)
+    table = features_of(outcome)
+    annotation = annotate(table, args.datums, rows)
+    present = read_present(args.input, outcome.solid)
+    remarks = review(present, table) if present else ()
+    lines = annotation_lines(outcome.solid, annotation) + review_lines(remarks)
+    said, names = write_all(draft, outcome, annotation, remarks, args)
+    return lines + said, names
 
 
 def features_of(outcome: Outcome) -> FeatureTable:
@@ -98,21 +122,3 @@ def features_of(outcome: Outcome) -> FeatureTable:
         for region in face.regions[:1]:
             faces.setdefault(region, []).append(face.name)
     return feature_table(outcome.partition, faces)
-
-
-def write_all(
-    directory: Path, outcome: Outcome, annotation: Annotation, args: argparse.Namespace
-) -> list[str]:
-    """Write what was asked for; the names of the files, the main one first."""
-    from gpswb.io.features_csv import write_features_csv, write_specifications_csv
-    from gpswb.io.features_json import features_document, write_features_json
-
-    solid = outcome.solid
-    source = {"path": solid.source, "sha256": solid.sha256, "unit": solid.unit}
-    write_features_json(directory / "features.json", features_document(annotation, source))
-    names = ["features.json"]
-    if args.csv:
-        write_features_csv(directory / "features.csv", annotation)
-        write_specifications_csv(directory / "specifications.csv", annotation)
-        names += ["features.csv", "specifications.csv"]
-    return names

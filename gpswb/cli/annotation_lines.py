@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from pathlib import Path
 
 from gpswb.cad.solid import Solid
@@ -11,6 +12,7 @@ from gpswb.cli.table import MOST_ROWS, aligned
 from gpswb.gps.annotation import Annotation
 from gpswb.gps.explain import explain_datum_system
 from gpswb.gps.gps_feature import GpsFeature
+from gpswb.gps.review import Remark
 
 _SIGN = {"diameter": "Ø", "spherical diameter": "SØ", "width": "width ", "cone angle": "angle "}
 _MOST_FACES = 6
@@ -38,6 +40,23 @@ def annotation_lines(solid: Solid, annotation: Annotation) -> list[str]:
         ]
         lines += aligned(rows)
     return lines
+
+
+def review_lines(remarks: Sequence[Remark]) -> list[str]:
+    """What the review says of the PMI that the file holds."""
+    if not remarks:
+        return []
+    rows = [("  datum or tolerance", "on", "class", "remark")]
+    rows += [
+        (
+            "  " + one_line(remark.subject),
+            _names(remark.features),
+            remark.invariance_class,
+            one_line(remark.text),
+        )
+        for remark in remarks
+    ]
+    return ["", "PMI in the file, reviewed", *aligned(rows)]
 
 
 def size_text(feature: GpsFeature) -> str:
@@ -77,7 +96,7 @@ def _feature_lines(annotation: Annotation) -> list[str]:
 
 def _datum_lines(annotation: Annotation) -> list[str]:
     lines = []
-    if annotation.letters and annotation.system is not None:
+    if annotation.given and annotation.system is not None:
         lines.append(f"datum system {annotation.system.notation}")
         lines += _indented(explain_datum_system(annotation.system, annotation.needed))
     for word, suggestion in zip(("suggested", "runner-up"), annotation.suggestions, strict=False):

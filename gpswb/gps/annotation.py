@@ -23,7 +23,8 @@ class Annotation:
 
     Args:
         table: the features.
-        letters: the user's datum features; empty where the user named none.
+        letters: datum features: the user's, else those of the best suggestion.
+        given: whether the datums are the user's.
         system: the user's datum system, else the best suggestion; None for a part without features.
         needed: degrees of freedom that any datum system of the part can lock.
         suggestions: the best datum system and the runner-up.
@@ -33,6 +34,7 @@ class Annotation:
 
     table: FeatureTable
     letters: Letters
+    given: bool
     system: DatumSystem | None
     needed: int
     suggestions: tuple[Suggestion, ...]
@@ -62,19 +64,19 @@ def annotate(
         letters[letter] = chosen_features(table.features, choice)
     suggestions = suggest_datums(table.features, table.frame)
     system = suggestions[0].system if suggestions else None
-    if letters:
+    if datums:
         own = [Datum(letter, features) for letter, features in letters.items()]
         system = datum_system(own, table.frame)
-    named = letters or {
-        datum.name: datum.features for datum in (system.datums if system is not None else ())
-    }
+    elif system is not None:
+        letters = {datum.name: datum.features for datum in system.datums}
     whole = part_situation(table.features, table.frame) if table.integral else None
     return Annotation(
         table=table,
         letters=letters,
+        given=bool(datums),
         system=system,
         needed=6 - DIMENSION[whole.invariance_class] if whole else 0,
         suggestions=suggestions,
         permitted={f.id: permitted_specifications(f, system) for f in table.features},
-        specified=specify(rows, table, named),
+        specified=specify(rows, table, letters),
     )

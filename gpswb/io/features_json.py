@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import json
 import math
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
@@ -12,17 +13,21 @@ from gpswb.gps.annotation import Annotation
 from gpswb.gps.datum_system import DatumSystem
 from gpswb.gps.explain import explain_datum_system
 from gpswb.gps.gps_feature import GpsFeature
+from gpswb.gps.review import Remark
 from gpswb.gps.specifications import Specification
 from gpswb.gps.specified import GeometricalTolerance, Specified
 
 SCHEMA = "gpswb-features/1"
 
 
-def features_document(annotation: Annotation, source: dict[str, str]) -> dict[str, Any]:
+def features_document(
+    annotation: Annotation, source: dict[str, str], remarks: Sequence[Remark] = ()
+) -> dict[str, Any]:
     """Everything that was found, as plain values that JSON can hold.
 
     Args:
         source: path, sha256 and unit of the input.
+        remarks: of the review of the PMI that the file holds.
     """
     needed, system = annotation.needed, annotation.system
     return {
@@ -30,13 +35,22 @@ def features_document(annotation: Annotation, source: dict[str, str]) -> dict[st
         "source": dict(source),
         "features": [_feature(f) for f in annotation.table.features],
         "datum_system": None if system is None else _system(system, needed),
-        "datums_given": bool(annotation.letters),
+        "datums_given": annotation.given,
         "suggestions": [_system(s.system, needed) for s in annotation.suggestions],
         "permitted": {
             str(id_): [_permitted(row) for row in rows]
             for id_, rows in annotation.permitted.items()
         },
         "specified": [_specified(each) for each in annotation.specified],
+        "review": [
+            {
+                "subject": remark.subject,
+                "features": list(remark.features),
+                "class": remark.invariance_class,
+                "text": remark.text,
+            }
+            for remark in remarks
+        ],
     }
 
 

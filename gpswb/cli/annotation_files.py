@@ -1,0 +1,87 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What `annotate` reads and writes beside the features themselves."""
+
+from __future__ import annotations
+
+import argparse
+from collections.abc import Sequence
+from pathlib import Path
+
+from gpswb.cad.pmi import Pmi
+from gpswb.cad.solid import Solid
+from gpswb.cli.one_part import Outcome
+from gpswb.errors import InputError, OutputError
+from gpswb.gps.annotation import Annotation
+from gpswb.gps.review import Remark
+from gpswb.io.ap242.compare import differences
+from gpswb.io.ap242.match import match_faces
+from gpswb.io.ap242.read_pmi import read_pmi
+from gpswb.io.ap242.structure import shapes_of
+from gpswb.io.ap242.write import read_text, write_ap242
+from gpswb.io.features_csv import write_features_csv, write_specifications_csv
+from gpswb.io.features_json import features_document, write_features_json
+
+_STEP = (".step", ".stp", ".p21")
+
+
+def read_present(path: Path, solid: Solid) -> Pmi | None:
+    """PMI that a STEP file holds; None for other files and for none."""
+    if path.suffix.lower() not in _STEP or solid.facemap is None:
+        return None
+    try:
+        file = read_text(path)
+        if not any(True for _ in file.of("DATUM", "SHAPE_ASPECT")):
+            return None
+        return read_pmi(file, match_faces(file, shapes_of(file), solid.mesh, solid.facemap)) or None
+    except InputError:
+        return None  # the kernel may read what is too odd for us; there is nothing to review then
+
+
+def write_all(
+    directory: Path,
+    outcome: Outcome,
+    annotation: Annotation,
+    remarks: Sequence[Remark],
+    args: argparse.Namespace,
+) -> tuple[list[str], list[str]]:
+    """Write what was asked for: lines to print, and the files' names, the main one first."""
+    solid = outcome.solid
+    source = {"path": solid.source, "sha256": solid.sha256, "unit": solid.unit}
+    document = features_document(annotation, source, remarks)
+    write_features_json(directory / "features.json", document)
+    lines: list[str] = []
+    names = ["features.json"]
+    if args.csv:
+        write_features_csv(directory / "features.csv", annotation)
+        write_specifications_csv(directory / "specifications.csv", annotation)
+        names += ["features.csv", "specifications.csv"]
+    if args.ap242:
+        lines += ["", _export(directory / "ap242.step", args.input, solid, annotation)]
+        names.append("ap242.step")
+    return lines, names
+
+
+def _export(path: Path, source: Path, solid: Solid, annotation: Annotation) -> str:
+    """Write AP242 and read it back, by our reader and by OCCT's where it is installed."""
+    if source.suffix.lower() not in _STEP:
+        raise InputError(f"{source}: AP242 is appended to STEP files only")
+    wanted = write_ap242(path, read_text(source), solid, annotation.letters, annotation.specified)
+    file = read_text(path)
+    assert solid.facemap is not None
+    read = read_pmi(file, match_faces(file, shapes_of(file), solid.mesh, solid.facemap))
+    lost = differences(wanted, read)
+    by = "read back"
+    try:
+        from gpswb.cad.pmi_read import read_pmi_ocp
+    except ImportError:
+        pass
+    else:
+        lost += differences(wanted, read_pmi_ocp(path), occt=True)
+        by = "read back, by OCCT as well"
+    if lost:
+        raise OutputError(f"ap242.step does not read back as it was meant: {lost[0]}")
+    whose = "" if annotation.given else "suggested "
+    return (
+        f"ap242.step: {len(wanted.datums)} {whose}datums, {len(wanted.tolerances)} tolerances and "
+        f"{len(wanted.sizes)} sizes appended and {by}"
+    )
