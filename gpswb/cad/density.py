@@ -20,8 +20,11 @@ FORMS = (
     "turn=N"
 )
 
-STL_DEFLECTION = (0.1, 0.5)
-"""Linear (mm) and angular (rad) deflection of FreeCAD's default STL export."""
+STL_DEFLECTION = (0.1, 0.1)
+"""Linear (mm) and angular (rad) deflection of FreeCAD 0.20's default STL export [measured]."""
+
+DEFAULT_ANGLE_DEG = math.degrees(0.5)
+"""Angular deflection where the user gives a linear one only: OCCT's own default."""
 
 
 @dataclass(frozen=True)
@@ -36,7 +39,7 @@ class Density:
 
     rule: Rule
     value: float = 0.0
-    angle_deg: float = math.degrees(STL_DEFLECTION[1])
+    angle_deg: float = DEFAULT_ANGLE_DEG
 
     @classmethod
     def parse(cls, text: str) -> Density:

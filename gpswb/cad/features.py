@@ -126,15 +126,18 @@ def _same_sweep(truth: FaceTruth, q: FloatArray, p: FloatArray, tolerance: float
     d = np.array(truth.parameters["direction"])
     origin = np.array(truth.parameters.get("point", (0.0, 0.0, 0.0)))
     lead = truth.parameters.get("lead", (0.0,))[0]
-    sections = [_section(x - origin, d, truth.nominal, lead) for x in (q, p)]
-    tree = cKDTree(sections[0])
-    span = float(np.linalg.norm(np.ptp(sections[0], axis=0)))
-    distance, at = tree.query(sections[1])
+    first, second = (_section(x - origin, d, truth.nominal, lead) for x in (q, p))
+    span = float(np.linalg.norm(np.ptp(first, axis=0)))
+    # Points that the motion carries into each other fall together: one of them is enough.
+    _, one = np.unique(np.round(first / (1e-3 * span)), axis=0, return_index=True)
+    first = first[one]
+    tree = cKDTree(first)
+    distance, at = tree.query(second)
     # Close in the sense of the section's own sampling: it must not run on beyond the other's end.
     close = distance <= max(tolerance, span / 16)
-    near = tree.query(sections[0][at], k=3)[1]
-    chord = sections[0][near[:, 2]] - sections[0][near[:, 0]]
-    step = sections[1] - sections[0][at]
+    near = tree.query(first[at], k=3)[1]
+    chord = first[near[:, 2]] - first[near[:, 1]]
+    step = second - first[at]
     size = np.maximum(np.linalg.norm(chord, axis=1), 1e-300)
     off = np.abs(chord[:, 0] * step[:, 1] - chord[:, 1] * step[:, 0]) / size
     curvature_slack = (span / 16) ** 2 / max(span, 1e-300)

@@ -86,7 +86,7 @@ def _choose(mesh: Tessellation, first: IntArray, second: IntArray) -> BoolArray:
     new1, new2 = _area(ua, uv_d, uc), _area(uv_d, ub, uc)
     least = 1e-3 * np.abs(old)
     # At a pole one parameter means nothing: there the exact normals decide alone.
-    pole: BoolArray = (mesh.free > 0).any(axis=1)
+    pole = np.asarray((mesh.free > 0).any(axis=1))
     valid: BoolArray = (np.sign(old) * np.minimum(new1, new2) > least) | pole[t1] | pole[t2]
     normal = mesh.normal[t1].mean(axis=1) + mesh.normal[t2].mean(axis=1)
     valid &= _agrees(normal, d - a, c - a) & _agrees(normal, b - d, c - d)

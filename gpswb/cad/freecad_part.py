@@ -10,6 +10,7 @@ from functools import cached_property
 from pathlib import Path
 from typing import Any
 
+import FreeCAD  # noqa: F401 - Part crashes where FreeCAD is not loaded yet
 import numpy as np
 import Part
 from scipy.spatial import cKDTree

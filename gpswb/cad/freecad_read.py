@@ -13,6 +13,7 @@ import Part
 
 from gpswb.cad.fcstd import stored_shapes
 from gpswb.cad.freecad_part import FreecadShape
+from gpswb.cad.silence import quiet
 from gpswb.cad.sniff import Format
 from gpswb.cad.units import step_units
 from gpswb.errors import InputError
@@ -51,7 +52,8 @@ def read(path: Path, form: Format) -> FreecadShape:
 
 def _part_read(file: Path, named: Path) -> Any:
     try:
-        return Part.read(str(file))
+        with quiet():
+            return Part.read(str(file))
     except (Part.OCCError, FreeCAD.Base.FreeCADError, OSError, RuntimeError, ValueError) as error:
         reason = str(error).strip().splitlines()[:1] or ["unknown reason"]
         raise InputError(f"{named}: FreeCAD can't read the file ({reason[0]})") from None

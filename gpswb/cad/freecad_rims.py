@@ -10,9 +10,9 @@ from __future__ import annotations
 import math
 from typing import Any, Protocol
 
+import FreeCAD
 import numpy as np
 import Part
-from FreeCAD import Base
 from scipy.optimize import minimize_scalar
 
 from gpswb.cad.kernel import Rim
@@ -98,7 +98,7 @@ def _gap(p: Any, x: float, y: float, extent: FloatArray) -> float:
 def _projected(curve: Any, first: float, last: float, x: float, y: float) -> float | None:
     """The kernel's projection; None where it finds no foot."""
     try:
-        t = float(curve.parameter(Base.Vector2d(x, y)))
+        t = float(curve.parameter(FreeCAD.Base.Vector2d(x, y)))
     except (Part.OCCError, RuntimeError):
         return None
     # A periodic curve gives the parameter of its first turn.

@@ -48,6 +48,8 @@ _KINDS: dict[str, SurfaceKind] = {
     "Geom_OffsetSurface": "Offset",
 }
 
+_AREA_ERROR = 1e-5
+
 
 class OcpFace:
     """One face; see `kernel.BrepFace`."""
@@ -83,7 +85,11 @@ class OcpFace:
     def _mass(self) -> GProp_GProps:
         properties = GProp_GProps()
         if self.surface is not None:
-            BRepGProp.SurfaceProperties_s(self.face, properties)
+            if self.elementary is None:
+                # The default order of integration is off by up to 3 % on rational B-splines.
+                BRepGProp.SurfaceProperties_s(self.face, properties, _AREA_ERROR)
+            else:
+                BRepGProp.SurfaceProperties_s(self.face, properties)
         return properties
 
     @cached_property

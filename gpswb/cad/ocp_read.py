@@ -3,16 +3,13 @@
 
 from __future__ import annotations
 
-import contextlib
 import tempfile
-from collections.abc import Iterator
 from pathlib import Path
 
 from OCP.BRep import BRep_Builder
 from OCP.BRepTools import BRepTools
 from OCP.gp import gp_Trsf
 from OCP.IFSelect import IFSelect_RetDone
-from OCP.Message import Message
 from OCP.STEPControl import STEPControl_Reader
 from OCP.TColStd import TColStd_SequenceOfAsciiString
 from OCP.TopLoc import TopLoc_Location
@@ -20,9 +17,12 @@ from OCP.TopoDS import TopoDS_Compound, TopoDS_Shape
 
 from gpswb.cad.fcstd import stored_shapes
 from gpswb.cad.ocp import OcpShape
+from gpswb.cad.silence import quiet
 from gpswb.cad.sniff import Format
 from gpswb.cad.units import unit_name
 from gpswb.errors import InputError
+
+__all__ = ["quiet", "read"]
 
 
 def read(path: Path, form: Format) -> OcpShape:
@@ -31,7 +31,7 @@ def read(path: Path, form: Format) -> OcpShape:
     Raises:
         InputError: the kernel can't read the file, or it holds no face.
     """
-    with _quiet():
+    with quiet():
         if form == "step":
             shape, unit, notes = _read_step(path)
         elif form == "brep":
@@ -82,17 +82,3 @@ def _read_fcstd(path: Path) -> TopoDS_Shape:
     for shape in shapes:
         builder.Add(compound, shape)
     return shapes[0] if len(shapes) == 1 else compound
-
-
-@contextlib.contextmanager
-def _quiet() -> Iterator[None]:
-    """Keep OCCT's own reports off standard output."""
-    messenger = Message.DefaultMessenger_s()
-    printers = list(messenger.Printers())
-    for printer in printers:
-        messenger.RemovePrinter(printer)
-    try:
-        yield
-    finally:
-        for printer in printers:
-            messenger.AddPrinter(printer)

@@ -1,0 +1,50 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A job that crashes, hangs or eats memory is an error of one line, not the end of the caller."""
+
+from __future__ import annotations
+
+import pytest
+
+from gpswb.cad.isolate import run_isolated
+from gpswb.errors import InputError, KernelError
+
+
+def test_results_come_back() -> None:
+    assert run_isolated("math:hypot", [3, 4], 60) == 5
+    assert run_isolated("operator:add", [[1, None], ["é"]], 60) == [1, None, "é"]
+
+
+def test_a_crash_is_named() -> None:
+    with pytest.raises(KernelError, match="SIGABRT"):
+        run_isolated("os:abort", [], 60)
+
+
+def test_a_segfault_is_named() -> None:
+    with pytest.raises(KernelError, match="SIGSEGV"):
+        run_isolated("signal:raise_signal", [11], 60)
+
+
+def test_a_hang_ends() -> None:
+    with pytest.raises(KernelError, match="no result within 1 s"):
+        run_isolated("time:sleep", [600], 1)
+
+
+def test_memory_is_bounded() -> None:
+    with pytest.raises(KernelError, match="needs more than 2000 MB of memory"):
+        run_isolated("builtins:bytearray", [8_000_000_000], 60, memory_mb=2000)
+
+
+def test_an_early_exit_is_no_result() -> None:
+    with pytest.raises(KernelError, match="isolated process failed"):
+        run_isolated("os:_exit", [0], 60)
+
+
+def test_our_errors_keep_their_class_and_text() -> None:
+    with pytest.raises(InputError, match=r"none\.step: no such file"):
+        run_isolated("sniffing:sniff_text", ["none.step"], 60)
+
+
+def test_other_errors_become_one_line() -> None:
+    with pytest.raises(KernelError, match=r"^ZeroDivisionError: ") as caught:
+        run_isolated("operator:truediv", [1, 0], 60)
+    assert "\n" not in str(caught.value)
