@@ -1,0 +1,71 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Renew docs/performance.md from the newest run of ``./gps bench``: ``python
+benchmarks/write_docs.py``."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any
+
+ROOT = Path(__file__).resolve().parents[1]
+PAGE = ROOT / "docs" / "performance.md"
+START, END = "<!-- figures: start -->", "<!-- figures: end -->"
+PART_OF = {"likelihood": "recognition"}
+"""Rows that are a part of another row, and so don't count in the sum."""
+
+
+def newest() -> dict[str, Any]:
+    """The last run that was saved.
+
+    Raises:
+        SystemExit: there is none.
+    """
+    saved = sorted((ROOT / "build" / "benchmarks").rglob("*_stages.json"))
+    if not saved:
+        raise SystemExit("write_docs: no run in build/benchmarks; run ./gps bench first")
+    found: dict[str, Any] = json.loads(saved[-1].read_text(encoding="utf-8"))
+    return found
+
+
+def table(run: dict[str, Any]) -> list[str]:
+    """Markdown: a row a stage, a column a density, CPU seconds."""
+    columns: dict[int, dict[str, Any]] = {}
+    for bench in run["benchmarks"]:
+        info = bench["extra_info"]
+        column = columns.setdefault(info["asked"], {"info": info, "s": {}})
+        column["s"][info["stage"]] = bench["stats"]["median"]
+    order = sorted(columns)
+    sizes = [columns[n]["info"] for n in order]
+    heads = [f"{s['vertices']:,} vertices, {s['triangles']:,} triangles" for s in sizes]
+    lines = ["| stage | " + " | ".join(heads) + " |", "|---|" + "---:|" * len(order)]
+    for stage in columns[order[0]]["s"]:
+        name = f"of {PART_OF[stage]}: {stage}" if stage in PART_OF else stage
+        cells = (f"{columns[n]['s'][stage]:.2f}" for n in order)
+        lines.append(f"| {name} | " + " | ".join(cells) + " |")
+    sums = (sum(s for k, s in columns[n]["s"].items() if k not in PART_OF) for n in order)
+    lines.append("| **sum** | " + " | ".join(f"**{s:.1f}**" for s in sums) + " |")
+    meshers = sorted({s["mesher"] for s in sizes})
+    return [*lines, "", f"Mesher: {', '.join(meshers)}."]
+
+
+def machine(run: dict[str, Any]) -> str:
+    """One sentence on what the figures were taken on."""
+    info = run["machine_info"]
+    cpu = info.get("cpu", {}).get("brand_raw") or info["machine"]
+    return (
+        f"{cpu}; {info['python_implementation']} {info['python_version']}; {run['datetime'][:10]}."
+    )
+
+
+def main() -> None:
+    """Replace what stands between the two markers."""
+    run = newest()
+    before, _, rest = PAGE.read_text(encoding="utf-8").partition(START)
+    after = rest.partition(END)[2]
+    figures = "\n".join([START, "", *table(run), "", machine(run), "", END])
+    PAGE.write_text(before + figures + after, encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main()
