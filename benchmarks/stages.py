@@ -26,6 +26,7 @@ from gpswb.core.likelihood import log_likelihoods
 from gpswb.core.mesh import Mesh
 from gpswb.core.normals import wedge_normals
 from gpswb.core.partition import Partition
+from gpswb.core.pipeline import Mode, partition
 from gpswb.core.projection import number_facet_regions
 from gpswb.core.recognition import recognise, weigh
 from gpswb.core.region_samples import confined_normals, region_samples
@@ -165,6 +166,11 @@ def writing(run: Run) -> Any:
     return write_all(run.out, outcome, report=True)
 
 
+def whole(run: Run, mode: Mode) -> Any:
+    mesh = Mesh(run.mesh.vertices, run.mesh.triangles)  # nothing computed yet
+    return partition(mesh, mode=mode)
+
+
 INPUTS: dict[str, Callable[[Run], Any]] = {
     "initial": initial, "samples": samples, "weighed": weighed,
 }  # fmt: skip
@@ -182,6 +188,9 @@ STAGES: dict[str, Callable[[Run], Any]] = {
     "validation": validation,
     "writing": writing,
 }
+
+MODES: tuple[Mode, ...] = ("paper", "corrected", "robust")
+"""Modes of which the whole partition is timed, from the mesh to its recognised regions."""
 
 NEEDS: dict[str, tuple[str, ...]] = {
     "tessellation": (),

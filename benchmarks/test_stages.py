@@ -4,7 +4,7 @@
 import resource
 
 import pytest
-from stages import NEEDS, STAGES, Run
+from stages import MODES, NEEDS, STAGES, Run, whole
 
 SLOW = ("tessellation", "consensus")
 """Stages timed once: they take so long that a second round would tell nothing new."""
@@ -24,9 +24,21 @@ def test_stage(benchmark, run: Run, stage: str) -> None:
     rounds = 1 if stage in SLOW else 3
     result = benchmark.pedantic(STAGES[stage], args=(run,), rounds=rounds)
     run.keep(stage, result)
+    describe(benchmark, run, stage=stage)
+
+
+@pytest.mark.benchmark(timer=cpu_seconds)
+@pytest.mark.parametrize("mode", MODES)
+def test_whole(benchmark, run: Run, mode: str) -> None:
+    run["tessellation"]
+    benchmark.pedantic(whole, args=(run, mode), rounds=1)
+    describe(benchmark, run, mode=mode)
+
+
+def describe(benchmark, run: Run, **what: str) -> None:
     solid = run["tessellation"]
     benchmark.extra_info.update(
-        stage=stage,
+        **what,
         asked=run.vertices,
         vertices=len(solid.mesh.vertices),
         triangles=len(solid.mesh.triangles),

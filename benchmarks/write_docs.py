@@ -28,25 +28,29 @@ def newest() -> dict[str, Any]:
     return found
 
 
-def table(run: dict[str, Any]) -> list[str]:
-    """Markdown: a row a stage, a column a density, CPU seconds."""
+def tables(run: dict[str, Any]) -> list[str]:
+    """Markdown: a row a stage and a row a mode, a column a density, CPU seconds."""
     columns: dict[int, dict[str, Any]] = {}
     for bench in run["benchmarks"]:
         info = bench["extra_info"]
-        column = columns.setdefault(info["asked"], {"info": info, "s": {}})
-        column["s"][info["stage"]] = bench["stats"]["median"]
-    order = sorted(columns)
-    sizes = [columns[n]["info"] for n in order]
+        column = columns.setdefault(info["asked"], {"info": info, "stage": {}, "mode": {}})
+        for kind in ("stage", "mode"):
+            if kind in info:
+                column[kind][info[kind]] = bench["stats"]["median"]
+    order = [columns[n] for n in sorted(columns)]
+    sizes = [column["info"] for column in order]
     heads = [f"{s['vertices']:,} vertices, {s['triangles']:,} triangles" for s in sizes]
-    lines = ["| stage | " + " | ".join(heads) + " |", "|---|" + "---:|" * len(order)]
-    for stage in columns[order[0]]["s"]:
-        name = f"of {PART_OF[stage]}: {stage}" if stage in PART_OF else stage
-        cells = (f"{columns[n]['s'][stage]:.2f}" for n in order)
-        lines.append(f"| {name} | " + " | ".join(cells) + " |")
-    sums = (sum(s for k, s in columns[n]["s"].items() if k not in PART_OF) for n in order)
-    lines.append("| **sum** | " + " | ".join(f"**{s:.1f}**" for s in sums) + " |")
+    lines = []
+    for kind in ("stage", "mode"):
+        lines += ["", f"| {kind} | " + " | ".join(heads) + " |", "|---|" + "---:|" * len(order)]
+        for name in order[0][kind]:
+            label = f"of {PART_OF[name]}: {name}" if name in PART_OF else name
+            lines.append(f"| {label} | " + " | ".join(f"{c[kind][name]:.2f}" for c in order) + " |")
+        if kind == "stage":
+            sums = (sum(s for k, s in c[kind].items() if k not in PART_OF) for c in order)
+            lines.append("| **sum** | " + " | ".join(f"**{s:.1f}**" for s in sums) + " |")
     meshers = sorted({s["mesher"] for s in sizes})
-    return [*lines, "", f"Mesher: {', '.join(meshers)}."]
+    return [*lines[1:], "", f"Mesher: {', '.join(meshers)}."]
 
 
 def machine(run: dict[str, Any]) -> str:
@@ -63,7 +67,7 @@ def main() -> None:
     run = newest()
     before, _, rest = PAGE.read_text(encoding="utf-8").partition(START)
     after = rest.partition(END)[2]
-    figures = "\n".join([START, "", *table(run), "", machine(run), "", END])
+    figures = "\n".join([START, "", *tables(run), "", machine(run), "", END])
     PAGE.write_text(before + figures + after, encoding="utf-8")
 
 
