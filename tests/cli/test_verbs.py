@@ -151,11 +151,11 @@ def test_noise_is_added_and_the_same_each_time(
 
 def test_sweep_measures_each_density(gpswb: Command, block_step: Path, tmp_path: Path) -> None:
     out = tmp_path / "out"
-    done = gpswb("sweep", block_step, "--densities", "stl,deflection=0.01,10,coarse", "--out", out)
+    done = gpswb("sweep", block_step, "--densities", "stl,deflection=0.01,4,coarse", "--out", out)
     assert (done.returncode, done.stderr) == (0, "")
     with (out / "sweep.csv").open(newline="", encoding="utf-8") as file:
         rows = list(csv.DictReader(file))
-    assert [row["density"] for row in rows] == ["stl", "deflection=0.01,10", "coarse"]
+    assert [row["density"] for row in rows] == ["stl", "deflection=0.01,4", "coarse"]
     triangles = [int(row["triangles"]) for row in rows]
     assert triangles[0] < triangles[1]
     assert "<svg" in (out / "sweep.svg").read_text("utf-8")
