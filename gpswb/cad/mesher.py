@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field, replace
 
 import numpy as np
@@ -33,13 +33,15 @@ _START_DEFLECTION = 0.004
 must be small: BRepMesh doesn't resolve what lies below a tenth of it."""
 _ARC_FACTOR = 1.95
 """BRepMesh cuts a full arc into sides of about half its angular deflection [measured]."""
-_CAP = 250_000
+_CAP = 100_000
 """Most triangles of a density that follows curvature."""
 _MOST = 20_000_000
 """Most triangles of any density."""
 _UNIFORM_FACTOR = 1.35
 """Longest side over mean side of a mesh that was refined by halving [measured]."""
 _COUNT_TOLERANCE, _COUNT_TRIES = 0.08, 5
+_NEGLIGIBLE = 1e-7
+"""Faces smaller than this fraction of the diagonal's square may go without triangles."""
 _STITCH = 1e-6
 """Distance at which open borders are welded, as a fraction of the diagonal."""
 
@@ -91,14 +93,14 @@ def tessellate(
         fraction, turn = PRESETS[density.rule]
         mesh = _uniform(job, shape.diagonal / fraction, turn)
     for body, why in job.failed.items():
-        name = "free faces" if body < 0 else f"solid {body + 1}"
-        job.notes.append(f"{name}: {why}; meshed by BRepMesh and refinement instead")
+        job.notes.append(f"{_body_name(body)}: {why}; meshed by BRepMesh and refinement instead")
     return mesh, " and ".join(sorted(job.used)), tuple(job.notes)
 
 
 def _adaptive(job: _Job, density: Density) -> FacedMesh:
     shape = job.shape
-    angle = 2 * math.pi / (density.value if density.rule == "turn" else AUTO_TURN)
+    turns = density.value if density.rule == "turn" else AUTO_TURN
+    angle = 2 * math.pi / turns
     start = brepmesh(shape, _START_DEFLECTION * shape.diagonal, min(_ARC_FACTOR * angle, 0.5))
     rule = SizeRule(
         max_length=shape.diagonal / _COARSEST,
@@ -110,7 +112,42 @@ def _adaptive(job: _Job, density: Density) -> FacedMesh:
     job.used.add("brepmesh+refine")
     if capped:
         job.notes.append(f"refinement stopped at its cap of {_CAP} triangles")
-    return _finish(job, refined)
+    return _finish(job, refined, _bodies_by_gmsh(job, start, density, turns))
+
+
+def _bodies_by_gmsh(
+    job: _Job, start: Tessellation, density: Density, turns: float
+) -> dict[int, FacedMesh]:
+    """Bodies with a face that BRepMesh gives no triangulation for, meshed by gmsh."""
+    shape = job.shape
+    meshed = np.zeros(len(shape.faces), dtype=bool)
+    meshed[start.face] = True
+    lost = {
+        face.solid
+        for face, done in zip(shape.faces, meshed, strict=True)
+        if not done and face.kind is not None and face.area > _NEGLIGIBLE * shape.diagonal**2
+    }
+    found: dict[int, FacedMesh] = {}
+    if not gmsh_available():
+        return found
+    for faces in job.bodies:
+        body = shape.faces[faces[0]].solid
+        if body not in lost:
+            continue
+        try:
+            found[body] = gmsh_body(shape, faces, shape.diagonal / _COARSEST, turns)
+        except KernelError as error:
+            job.notes.append(f"gmsh can't replace BRepMesh: {error}")
+            continue
+        job.used.add("gmsh")
+        job.notes.append(
+            f"{_body_name(body)}: BRepMesh doesn't mesh all its faces; meshed by gmsh for {density}"
+        )
+    return found
+
+
+def _body_name(body: int) -> str:
+    return "free faces" if body < 0 else f"solid {body + 1}"
 
 
 def _counted(job: _Job, density: Density) -> FacedMesh:
@@ -186,12 +223,19 @@ def _uniform_fallback(job: _Job, faces: list[int], size: float, turn: int) -> Fa
     return FacedMesh(refined.vertices, refined.triangles, refined.face).compact()
 
 
-def _finish(job: _Job, mesh: Tessellation) -> FacedMesh:
+def _finish(
+    job: _Job, mesh: Tessellation, instead: Mapping[int, FacedMesh] | None = None
+) -> FacedMesh:
+    """Repair body by body; those in ``instead`` are taken from there."""
     whole = FacedMesh(mesh.vertices, mesh.triangles, mesh.face)
     body_of_face = np.array([face.solid for face in job.shape.faces])
     parts = []
     for faces in job.bodies:
-        mine = body_of_face[whole.face] == job.shape.faces[faces[0]].solid
+        body = job.shape.faces[faces[0]].solid
+        if instead and body in instead:
+            parts.append(_repair(job, instead[body]))
+            continue
+        mine = body_of_face[whole.face] == body
         part = replace(whole, triangles=whole.triangles[mine], face=whole.face[mine])
         parts.append(_repair(job, part.compact()))
     return join(parts)

@@ -30,7 +30,7 @@ KINDS: tuple[Kind, ...] = ("cylinder", "cone", "sphere", "torus")
 SIMPLER = 3e-4
 """Share of a region's height that a simpler surface may leave: less than any modelled draft."""
 
-BATCH = 256
+BATCH = 128
 """Patches fitted together: enough to spread numpy's overhead, few enough for the cache."""
 
 
@@ -41,7 +41,7 @@ the pass looks at: only small groups deserve a try from every facet."""
 FURTHER = 1.5
 """How many times the facets a less simple surface must explain."""
 
-SHARE = 24
+SHARE = 16
 """Seeds that an initial region gets in a pass: a face that needs more has been broken up by others,
 and the pieces get their own in the next pass."""
 
@@ -66,6 +66,7 @@ def find_surfaces(
     free: BoolArray,
     initial: IntArray,
     tolerance: float,
+    smooth: FloatArray,
     rings: tuple[int, ...] = (2, 4, 8),
 ) -> list[Grown]:
     """Surfaces that connected facets lie on, largest evidence first.
@@ -76,35 +77,33 @@ def find_surfaces(
         free: (m,) facets that may be explained.
         initial: (m,) initial regions (paper, 5.2): each gets its share of the seeds.
         tolerance: distance that counts as none, mm.
-        rings: sizes of the patches tried, in steps from facet to facet.
+        smooth: (m,) mm, residual of the best torus where facets were seen to be freeform, 0 where
+            they were not; what is seen here is added for calls with wider tolerances.
+        rings: sizes of the patches tried, in steps from facet to facet, rising; only the largest
+            tells a simple surface from a freeform one.
     """
     free = free.copy()
     found: list[Grown] = []
-    freeform = np.zeros(len(free), dtype=bool)
     for spacing, largest in PASSES:
         passable = _passable(graph, free)
-        wanted = free & ~freeform & passable.any(axis=1)
+        wanted = free & (smooth <= tolerance) & passable.any(axis=1)
         if largest is not None:
             wanted &= _component_size(graph, free) <= largest
         seeds = _fair(_seeds(mesh, graph, wanted, spacing), initial)
         for start in range(0, len(seeds), BATCH):
             batch = seeds[start : start + BATCH]
-            batch = batch[free[batch] & ~freeform[batch]]
-            if not len(batch):
-                continue
             passable = _passable(graph, free)
             for size in rings:
-                batch = batch[free[batch] & ~freeform[batch]]
+                batch = batch[free[batch] & (smooth[batch] <= tolerance)]
                 if not len(batch):
                     break
-                hypotheses, smooth = explain(
-                    mesh, patches_around(mesh, graph, batch, passable, size), tolerance
+                patches = patches_around(mesh, graph, batch, passable, size)
+                hypotheses = explain(
+                    mesh, patches, tolerance, smooth if size == rings[-1] else None
                 )
-                if size == rings[-1]:
-                    freeform[smooth] = True
                 hypotheses.sort(key=lambda h: -h.score)
                 for h in hypotheses:
-                    if not free[h.seed] or freeform[h.seed]:
+                    if not free[h.seed] or smooth[h.seed] > tolerance:
                         continue
                     seed = np.array([h.seed])
                     touched = flood(mesh, graph, h.kind, h.surface, seed, free, tolerance)
@@ -113,8 +112,6 @@ def find_surfaces(
                         continue
                     sure = is_exact(mesh, rough)
                     if not sure and drifts(mesh, graph, rough, tolerance):
-                        if size == rings[-1]:
-                            freeform[touched] = True
                         continue
                     grown = simplest(mesh, graph, h, free, tolerance)
                     if not sure:
@@ -164,18 +161,26 @@ def _upgraded(
     return grown
 
 
-def explain(mesh: Mesh, patches: Patches, tolerance: float) -> tuple[list[Hypothesis], IntArray]:
-    """The simplest surface that explains each patch, where one does, and the freeform facets.
+def explain(
+    mesh: Mesh, patches: Patches, tolerance: float, smooth: FloatArray | None = None
+) -> list[Hypothesis]:
+    """The simplest surface that explains each patch, where one does.
 
     Plain least squares first; where a patch crosses a border, a robust fit may still find the
-    surface that most of it lies on. A patch that a torus fits well but not exactly is freeform.
+    surface that most of it lies on.
+
+    Args:
+        mesh: the mesh.
+        patches: the patches.
+        tolerance: distance that counts as none, mm.
+        smooth: for large patches: where a torus fits well but not exactly, the patch is freeform,
+            and its residual is noted here; no robust fits then.
     """
     hypotheses: list[Hypothesis] = []
-    freeform = np.zeros(0, dtype=np.int64)
-    for robust in (False, True):
+    for robust in (False, True) if smooth is None else (False,):
         for kind in KINDS:
             if not len(patches.seed):
-                return hypotheses, freeform
+                return hypotheses
             floor = float(np.median(tolerance / patches.scale)) if robust else None
             local = fit_patches(
                 kind, patches.points, patches.weights, patches.centroids, patches.normals, floor
@@ -193,13 +198,14 @@ def explain(mesh: Mesh, patches: Patches, tolerance: float) -> tuple[list[Hypoth
                 Hypothesis(kind, world[row], int(patches.seed[row]), int(score[row]))
                 for row in np.flatnonzero(good)
             )
-            if kind == "torus" and not robust:
-                smooth = ~good & (d.max(axis=1) < FREEFORM * _sagitta(patches))
-                facets = patches.facets[smooth].ravel()
-                freeform = facets[facets >= 0]
-                good |= smooth
+            if kind == "torus" and smooth is not None:
+                worst = d.max(axis=1)
+                freeform = ~good & (worst < FREEFORM * _sagitta(patches))
+                for row in np.flatnonzero(freeform):
+                    facets = patches.facets[row]
+                    smooth[facets[facets >= 0]] = worst[row] * patches.scale[row]
             patches = patches.take(np.flatnonzero(~good))
-    return hypotheses, freeform
+    return hypotheses
 
 
 def _sagitta(patches: Patches) -> FloatArray:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Facets that no simple surface explains: small flat polygons, fragments, swept or free faces."""
+"""Facets that no simple surface explains: a few planes in a row, swept faces and freeform ones."""
 
 from __future__ import annotations
 
@@ -7,10 +7,23 @@ import numpy as np
 
 from gpswb.core.initial import InitialPartition
 from gpswb.core.mesh import BoolArray, IntArray, Mesh
+from gpswb.core.projection import number_facet_regions
+from gpswb.core.recognition import weigh
 from gpswb.core.refine import refine_regions
+from gpswb.core.region_samples import confined_normals, region_samples
+from gpswb.core.robust.consensus import CREASE
+from gpswb.core.robust.decide import by_gap
 from gpswb.core.robust.strips import few_polygons
+from gpswb.core.robust.swept import follows
 from gpswb.core.robust.topology import FacetGraph
 from gpswb.core.tolerances import Tolerances
+
+SYMMETRIC_SHARE = 0.5
+"""Share of a smooth component's area that its pieces must recognise before it is left in pieces:
+pieces of a freeform surface are as freeform as the whole."""
+
+LARGEST = 12
+"""Initial regions, largest first, from which swept faces are sought: each costs a recognition."""
 
 
 def label_leftover(
@@ -24,6 +37,9 @@ def label_leftover(
 ) -> tuple[IntArray, BoolArray]:
     """Give every facet without a label one.
 
+    What hangs together across smooth edges is one face if one symmetry fits it all; else the
+    pieces that slippage finds in it, if they have symmetries; else one freeform face.
+
     Args:
         mesh: the mesh.
         graph: its adjacency.
@@ -31,7 +47,7 @@ def label_leftover(
         polygon: (m,) coplanar polygon of each facet.
         label: (m,) label of the explained facets, -1 for the others.
         sigma: noise of the vertices, mm.
-        tolerances: thresholds of the merging.
+        tolerances: thresholds of merging and recognition.
 
     Returns:
         (m,) labels, -1 only where a facet has no area, and (m,) bool: facets that are a plane of
@@ -39,17 +55,86 @@ def label_leftover(
     """
     rest = (label < 0) & (mesh.areas > 0.0)
     out = label.copy()
-    flat = np.zeros(len(label), dtype=bool)
-    if not rest.any():
-        return out, flat
     few = few_polygons(graph, polygon, rest, first.crease)
-    base = int(label.max(initial=-1)) + 1
-    out[few] = base + polygon[few]
-    flat[few] = True
+    out[few] = int(label.max(initial=-1)) + 1 + polygon[few]
     rest &= ~few
-    if rest.any():
-        initial = np.where(rest, first.region, -1)
-        refined = refine_regions(mesh, initial, first.crease, sigma, tolerances)
-        base = int(out.max(initial=-1)) + 1
-        out[rest] = base + refined[rest]
-    return out, flat
+    if not rest.any():
+        return out, few
+    joined = rest[graph.pairs].all(axis=1)
+    joined &= (np.abs(graph.pair_dihedral) < CREASE) & ~first.crease
+    part = np.where(rest, graph.components(joined, len(label)), -1)
+    part, _ = number_facet_regions(part, mesh)
+    part = _swept_apart(mesh, graph, first, part, sigma, tolerances)
+    broken = rest & (_classes(mesh, part, first.crease, sigma, tolerances) == "complex")[part]
+    out[rest] = int(out.max(initial=-1)) + 1 + part[rest]
+    if broken.any():
+        pieces = _pieces(mesh, first, part, broken, sigma, tolerances)
+        inside = pieces >= 0
+        out[inside] = int(out.max(initial=-1)) + 1 + pieces[inside]
+    return out, few
+
+
+def _swept_apart(
+    mesh: Mesh,
+    graph: FacetGraph,
+    first: InitialPartition,
+    part: IntArray,
+    sigma: float,
+    tolerances: Tolerances,
+) -> IntArray:
+    """(m,) the parts, with swept faces cut out of those that no symmetry fits whole."""
+    names = _classes(mesh, part, first.crease, sigma, tolerances)
+    inner = np.where((part >= 0) & (names == "complex")[part], first.region, -1)
+    inner, count = number_facet_regions(inner, mesh)
+    out = part.copy()
+    normals = confined_normals(mesh, inner, first.crease)
+    samples = list(region_samples(mesh, inner, count, normals))
+    for sample in sorted(samples, key=lambda s: -s.area)[:LARGEST]:
+        home = np.unique(out[sample.facets])
+        if len(home) != 1:
+            continue
+        inside = np.flatnonzero(out == home[0])
+        face = follows(mesh, graph, sample, inside, sigma, tolerances)
+        if len(sample.facets) <= len(face) < len(inside):
+            trial = np.full(len(part), -1, dtype=np.int64)
+            trial[face] = 0
+            if _classes(mesh, trial, first.crease, sigma, tolerances)[0] != "complex":
+                out[face] = int(out.max()) + 1
+    joined = (out[graph.pairs[:, 0]] == out[graph.pairs[:, 1]]) & (out[graph.pairs[:, 0]] >= 0)
+    apart = np.where(out >= 0, graph.components(joined, len(out)), -1)
+    return number_facet_regions(apart, mesh)[0]
+
+
+def _pieces(
+    mesh: Mesh,
+    first: InitialPartition,
+    part: IntArray,
+    broken: BoolArray,
+    sigma: float,
+    tolerances: Tolerances,
+) -> IntArray:
+    """(m,) pieces of the parts that slippage divides into symmetric ones, -1 elsewhere."""
+    # No merge may leave its part: number the initial regions anew within each.
+    key = part * (int(first.region.max(initial=0)) + 2) + first.region
+    initial = np.full(len(part), -1, dtype=np.int64)
+    initial[broken] = np.unique(key[broken], return_inverse=True)[1].reshape(-1)
+    pieces = refine_regions(mesh, initial, first.crease, sigma, tolerances)
+    pieces, _ = number_facet_regions(np.where(broken, pieces, -1), mesh)
+    names = _classes(mesh, pieces, first.crease, sigma, tolerances)
+    area = np.where(broken, mesh.areas, 0.0)
+    symmetric = area * (names != "complex")[pieces]
+    parts = int(part.max()) + 1
+    whole = np.bincount(part[broken], area[broken], parts)
+    share = np.bincount(part[broken], symmetric[broken], parts) / np.maximum(whole, 1e-300)
+    kept = broken & (share[np.maximum(part, 0)] >= SYMMETRIC_SHARE)
+    return np.where(kept, pieces, -1)
+
+
+def _classes(
+    mesh: Mesh, region: IntArray, crease: BoolArray, sigma: float, tolerances: Tolerances
+) -> np.ndarray[tuple[int], np.dtype[np.str_]]:
+    """(k,) invariance class that fits each region 0..k-1 best."""
+    count = int(region.max(initial=-1)) + 1
+    normals = confined_normals(mesh, region, crease)
+    samples = region_samples(mesh, region, count, normals)
+    return np.array([by_gap(weigh(s, sigma, tolerances), {}) for s in samples])

@@ -16,6 +16,7 @@ from gpswb.core.recognition import always, recognise
 from gpswb.core.region_samples import confined_normals, region_samples
 from gpswb.core.robust.competition import compete
 from gpswb.core.robust.consensus import find_surfaces
+from gpswb.core.robust.decide import by_gap
 from gpswb.core.robust.describe import describe_surface
 from gpswb.core.robust.evidence import is_exact
 from gpswb.core.robust.freeform import dissolve
@@ -27,7 +28,7 @@ from gpswb.core.robust.topology import FacetGraph
 from gpswb.core.stages import Progress, StageClock
 from gpswb.core.tolerances import Tolerances
 
-TIERS: tuple[float, ...] = (1e-7, 1e-6, 1e-5, 1e-4)
+TIERS: tuple[float, ...] = (1e-7, 1e-5, 1e-4)
 """Distances that count as none, as shares of the diagonal, tried one after the other: analytic
 surfaces hold to rounding, the edges of exchanged files only to their modelling tolerance."""
 
@@ -55,6 +56,9 @@ def partition_robust(
         progress: listener.
     """
     tol = tolerances or Tolerances()
+    if sigma == 0.0:
+        # Nominal vertices need no allowance for form: a class they don't fit is the wrong one.
+        tol = replace(tol, form=tol.distance)
     clock = StageClock(progress)
     first = initial_partition(mesh, sigma, tol, clock)
     with clock.stage("refine"):
@@ -91,9 +95,10 @@ def simple_surfaces(
 ) -> list[Grown]:
     """Planes, cylinders, cones, spheres and tori with the connected facets that prove them."""
     fine = TIERS[0] * mesh.diagonal
-    certain = certain_planes(mesh, polygon, fine)
+    certain = certain_planes(mesh, graph, polygon, fine)
     whole = mesh.areas > 0.0
     found: list[Grown] = []
+    smooth = np.zeros(len(whole))
     for number, tier in enumerate(TIERS):
         tolerance = tier * mesh.diagonal
         # What isn't exact yet may be a piece of something larger, which shows at a wider tolerance.
@@ -103,7 +108,7 @@ def simple_surfaces(
         for g in found:
             free[g.facets] = False
         found = [_regrow(mesh, graph, g, free, tolerance) for g in found]
-        new = find_surfaces(mesh, graph, free, initial, tolerance)
+        new = find_surfaces(mesh, graph, free, initial, tolerance, smooth)
         for g in new:
             free[g.facets] = False
         found += new + _still_free(weak, free)
@@ -169,7 +174,7 @@ def _recognise(
             surface = fit_facets(mesh, "plane", sample.facets)
             grown = Grown("plane", surface, sample.facets)
         else:
-            regions.append(recognise(r, sample, merged, sigma, tolerances))
+            regions.append(recognise(r, sample, merged, sigma, tolerances, choose=by_gap))
             continue
         name = CLASS_OF[grown.kind]
         found = recognise(r, sample, merged, sigma, tolerances, choose=always(name))

@@ -14,6 +14,15 @@ FLAT = 2e-3
 """Turning angle (rad) of two facets of a plane at most: a fine mesh of a large cylinder keeps the
 distances, but turns by more."""
 
+GENTLE = 5 * FLAT
+"""Turning angle (rad) at a polygon's border that says the surface goes on."""
+
+MANY = 60
+"""Facets of a polygon that no nearly flat place of a curved surface reaches."""
+
+GENTLE_SHARE = 0.3
+"""Share of its border at which the surface may go on beyond a true plane: beside a flat fillet."""
+
 
 def coplanar_polygons(mesh: Mesh, graph: FacetGraph, tolerance: float) -> IntArray:
     """Join facets whose vertices lie in one plane.
@@ -59,11 +68,12 @@ def coplanar_polygons(mesh: Mesh, graph: FacetGraph, tolerance: float) -> IntArr
     return np.unique(label, return_inverse=True)[1].reshape(-1).astype(np.int64)
 
 
-def certain_planes(mesh: Mesh, polygon: IntArray, tolerance: float) -> BoolArray:
+def certain_planes(mesh: Mesh, graph: FacetGraph, polygon: IntArray, tolerance: float) -> BoolArray:
     """Which polygons are planes whatever lies around them.
 
     Four vertices of a tessellated cylinder lie in a plane too, as do all vertices between two
-    rulings: a polygon proves a plane when it has five vertices that don't lie on two lines.
+    rulings: a polygon proves a plane when it has five vertices that don't lie on two lines, and
+    when the mesh doesn't leave it as gently as a nearly flat surface would.
 
     Returns:
         (k,) bool for the k polygons.
@@ -77,7 +87,21 @@ def certain_planes(mesh: Mesh, polygon: IntArray, tolerance: float) -> BoolArray
         vertices = np.unique(mesh.triangles[order[start[i] : start[i + 1]]])
         if len(vertices) >= 5:
             certain[i] = not _on_two_lines(mesh.vertices[vertices], tolerance)
-    return certain
+    goes_on = _gentle_share(mesh, graph, polygon, k) >= GENTLE_SHARE
+    return certain & ~(goes_on & (count < MANY))
+
+
+def _gentle_share(mesh: Mesh, graph: FacetGraph, polygon: IntArray, k: int) -> FloatArray:
+    """(k,) share of each polygon's border length at which the mesh hardly turns."""
+    a, b = polygon[graph.pairs].T
+    across = a != b
+    ends = mesh.vertices[graph.pair_edges[across]]
+    length = np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1)
+    gentle = length * (np.abs(graph.pair_dihedral[across]) < GENTLE)
+    both = np.concatenate([a[across], b[across]])
+    total = np.bincount(both, np.tile(length, 2), k)
+    share: FloatArray = np.bincount(both, np.tile(gentle, 2), k) / np.maximum(total, 1e-300)
+    return share
 
 
 def _on_two_lines(points: FloatArray, tolerance: float) -> bool:

@@ -1,0 +1,31 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The class of a region by parsimony, unless a less symmetric class fits incomparably better."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from gpswb.core.invariance import InvarianceClass
+from gpswb.core.recognition import PARSIMONY, Evidence
+
+GAP = 20.0
+"""Factor by which a wrong class stands off further than a right one, at least: nominal vertices lie
+on their surface to rounding, on another they are off by orders of magnitude."""
+
+ROUNDING = 0.01
+"""Share of the allowed distance below which stand-offs say no more than that all fit."""
+
+
+def by_gap(evidence: Evidence, likelihoods: Mapping[InvarianceClass, float]) -> InvarianceClass:
+    """The most symmetric class that fits about as well as the less symmetric ones that fit.
+
+    A narrow cone lies on a sphere to within a tolerance, but on the cone far better.
+    """
+    floor = ROUNDING * evidence.distance["planar"]
+    for rank, name in enumerate(PARSIMONY[:-1]):
+        if not evidence.fits(name):
+            continue
+        weaker = [evidence.stand_off[n] for n in PARSIMONY[rank + 1 : -1] if evidence.fits(n)]
+        if evidence.stand_off[name] <= max(floor, GAP * min(weaker, default=float("inf"))):
+            return name
+    return "complex"
