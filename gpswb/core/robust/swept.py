@@ -56,7 +56,8 @@ def follows(
     near = np.zeros(len(mesh.triangles), dtype=bool)
     near[inside[slip <= SLIP + seed.turning]] = True
     near[seed.facets] = True
-    part = graph.components(near[graph.pairs].all(axis=1), len(near))
+    a, b = graph.pairs.T
+    part = graph.components(near[a] & near[b], len(near))
     main = np.bincount(part[seed.facets]).argmax()
     return np.flatnonzero(near & (part == main))
 
@@ -65,8 +66,9 @@ def _velocity(points: FloatArray, name: InvarianceClass, reference: Reference) -
     """(n, 3) velocity at (n, 3) points of a class's motion."""
     if name == "prismatic" or not np.isfinite(reference.lead):
         return np.broadcast_to(reference.direction, points.shape)
-    turning = np.cross(reference.direction, points - reference.point)
+    turning: FloatArray = np.asarray(
+        np.cross(reference.direction, points - reference.point), dtype=np.float64
+    )
     if name == "helical":
-        turning = turning + reference.lead / (2.0 * np.pi) * reference.direction
-    velocity: FloatArray = turning
-    return velocity
+        turning += reference.lead / (2.0 * np.pi) * reference.direction
+    return turning
