@@ -38,6 +38,9 @@ PASSES: tuple[tuple[int, int | None], ...] = ((3, None), (1, None), (0, 64))
 """Spacing of the seeds in each pass, in facets, and the largest group of unexplained facets that
 the pass looks at: only small groups deserve a try from every facet."""
 
+MOST = 400
+"""Seeds tried at once; more follow as long as they find something."""
+
 FURTHER = 1.5
 """How many times the facets a less simple surface must explain."""
 
@@ -85,41 +88,68 @@ def find_surfaces(
     free = free.copy()
     found: list[Grown] = []
     for spacing, largest in PASSES:
-        passable = _passable(graph, free)
-        wanted = free & (smooth <= tolerance) & passable.any(axis=1)
-        if largest is not None:
-            wanted &= _component_size(graph, free) <= largest
-        seeds = _fair(_seeds(mesh, graph, wanted, spacing), initial)
-        for start in range(0, len(seeds), BATCH):
-            batch = seeds[start : start + BATCH]
+        while True:
             passable = _passable(graph, free)
-            for size in rings:
-                batch = batch[free[batch] & (smooth[batch] <= tolerance)]
-                if not len(batch):
-                    break
-                patches = patches_around(mesh, graph, batch, passable, size)
-                hypotheses = explain(
-                    mesh, patches, tolerance, smooth if size == rings[-1] else None
-                )
-                hypotheses.sort(key=lambda h: -h.score)
-                for h in hypotheses:
-                    if not free[h.seed] or smooth[h.seed] > tolerance:
-                        continue
-                    seed = np.array([h.seed])
-                    touched = flood(mesh, graph, h.kind, h.surface, seed, free, tolerance)
-                    rough = Grown(h.kind, h.surface, touched)
-                    if len(touched) < 4:
-                        continue
-                    sure = is_exact(mesh, rough)
-                    if not sure and drifts(mesh, graph, rough, tolerance):
-                        continue
-                    grown = simplest(mesh, graph, h, free, tolerance)
-                    if not sure:
-                        grown = _upgraded(mesh, graph, grown, free, tolerance)
-                    if enough_evidence(mesh, graph, grown, tolerance):
-                        found.append(grown)
-                        free[grown.facets] = False
+            wanted = free & (smooth <= tolerance) & passable.any(axis=1)
+            if largest is not None:
+                wanted &= _component_size(graph, free) <= largest
+            seeds = _fair(_seeds(mesh, graph, wanted, spacing), initial)
+            more = len(seeds) > MOST
+            if more:
+                seeds = seeds[np.linspace(0, len(seeds) - 1, MOST).astype(np.int64)]
+            known = len(found)
+            for start in range(0, len(seeds), BATCH):
+                batch = seeds[start : start + BATCH]
+                found += _found_from(mesh, graph, batch, free, tolerance, smooth, rings)
+            if not more or len(found) == known:
+                break
     return found
+
+
+def _found_from(
+    mesh: Mesh,
+    graph: FacetGraph,
+    batch: IntArray,
+    free: BoolArray,
+    tolerance: float,
+    smooth: FloatArray,
+    rings: tuple[int, ...],
+) -> list[Grown]:
+    """Surfaces found from one batch of seeds; their facets are no longer free afterwards."""
+    found: list[Grown] = []
+    passable = _passable(graph, free)
+    for size in rings:
+        batch = batch[free[batch] & (smooth[batch] <= tolerance)]
+        if not len(batch):
+            break
+        patches = patches_around(mesh, graph, batch, passable, size)
+        hypotheses = explain(mesh, patches, tolerance, smooth if size == rings[-1] else None)
+        hypotheses.sort(key=lambda h: -h.score)
+        for h in hypotheses:
+            if not free[h.seed] or smooth[h.seed] > tolerance:
+                continue
+            grown = _proved(mesh, graph, h, free, tolerance)
+            if grown is not None:
+                found.append(grown)
+                free[grown.facets] = False
+    return found
+
+
+def _proved(
+    mesh: Mesh, graph: FacetGraph, h: Hypothesis, free: BoolArray, tolerance: float
+) -> Grown | None:
+    """The region that a hypothesis grows to, None where it doesn't prove its surface."""
+    touched = flood(mesh, graph, h.kind, h.surface, np.array([h.seed]), free, tolerance)
+    if len(touched) < 4:
+        return None
+    rough = Grown(h.kind, h.surface, touched)
+    sure = is_exact(mesh, rough)
+    if not sure and drifts(mesh, graph, rough, tolerance):
+        return None
+    grown = simplest(mesh, graph, h, free, tolerance)
+    if not sure:
+        grown = _upgraded(mesh, graph, grown, free, tolerance)
+    return grown if enough_evidence(mesh, graph, grown, tolerance) else None
 
 
 def simplest(
@@ -178,7 +208,8 @@ def explain(
     """
     hypotheses: list[Hypothesis] = []
     for robust in (False, True) if smooth is None else (False,):
-        for kind in KINDS:
+        # A torus has too many unknowns to choose its points as well.
+        for kind in KINDS[:-1] if robust else KINDS:
             if not len(patches.seed):
                 return hypotheses
             floor = float(np.median(tolerance / patches.scale)) if robust else None
