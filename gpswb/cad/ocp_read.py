@@ -11,7 +11,6 @@ from OCP.BRepTools import BRepTools
 from OCP.gp import gp_Trsf
 from OCP.IFSelect import IFSelect_RetDone
 from OCP.STEPControl import STEPControl_Reader
-from OCP.TColStd import TColStd_SequenceOfAsciiString
 from OCP.TopLoc import TopLoc_Location
 from OCP.TopoDS import TopoDS_Compound, TopoDS_Shape
 
@@ -19,7 +18,7 @@ from gpswb.cad.fcstd import stored_shapes
 from gpswb.cad.ocp import OcpShape
 from gpswb.cad.silence import quiet
 from gpswb.cad.sniff import Format
-from gpswb.cad.units import unit_name
+from gpswb.cad.units import step_units
 from gpswb.errors import InputError
 
 __all__ = ["quiet", "read"]
@@ -50,15 +49,12 @@ def _read_step(path: Path) -> tuple[TopoDS_Shape | None, str, tuple[str, ...]]:
     reader = STEPControl_Reader()
     if reader.ReadFile(str(path)) != IFSelect_RetDone:
         raise InputError(f"{path}: not a STEP file that the kernel can read")
-    lengths, angles, solids = (TColStd_SequenceOfAsciiString() for _ in range(3))
-    reader.FileUnits(lengths, angles, solids)
-    names = [unit_name(lengths.Value(i).ToCString()) for i in range(1, lengths.Size() + 1)]
-    unit = names[0] if names else "mm"
+    names = step_units(path.read_bytes()) or ["mm"]
     notes: tuple[str, ...] = ()
-    if len(set(names)) > 1:
-        notes = (f"the file uses several length units: {', '.join(dict.fromkeys(names))}",)
+    if len(names) > 1:
+        notes = (f"the file uses several length units: {', '.join(names)}",)
     reader.TransferRoots()
-    return (reader.OneShape() if reader.NbShapes() else None), unit, notes
+    return (reader.OneShape() if reader.NbShapes() else None), names[0], notes
 
 
 def _read_brep(file: Path, named: Path) -> TopoDS_Shape:

@@ -23,6 +23,16 @@ _STRETCH = 2.5
 curvature it needs no more vertices, and more than this would make slivers."""
 _FEWEST = 3
 """Least number of sides across the longest of strips: two vertices between its borders."""
+_RIM_SLACK = 1.6
+"""Spacing in a plane face where a curved neighbour has split its border, over the side there."""
+_STRIP, _STRIP_TURN = 60.0, 2.0
+"""A strip longer than so many times its width may turn up to so much more from vertex to vertex:
+it would take most of the mesh otherwise, and has triangles enough."""
+_KINK = 0.25, 1 / 16
+"""Sides shorter than this fraction of the spacing (graded) or of the longest side (near-uniform)
+aren't split for turning too much: a kink in a surface turns however short the side is."""
+_FINEST = 1 / 500
+"""Least spacing, as a fraction of the longest side: sliver faces and gaps ask for anything."""
 _SMALLEST = 1 / 32
 """No curvature asks for a spacing below this fraction of the face's width: an apex has no end."""
 
@@ -49,22 +59,26 @@ class SizeRule:
 class Sizing:
     """Size of every side relative to what is allowed: above 1 it must be split.
 
-    Every vertex carries a spacing. It comes from the shortest B-rep side at the vertex in the first
-    mesh, from the curvature and the width of its faces, and grows with the distance from there.
-    Splitting a side never lowers it, so refinement ends.
+    Every vertex carries two spacings. In plane faces it comes from the sides of the B-rep edges at
+    the vertex; in curved ones also from the curvature and the width of the faces. It grows with the
+    distance from there. Splitting a side lowers it by less than the side, so refinement ends.
     """
 
     def __init__(self, shape: Shape, rule: SizeRule, first: Tessellation) -> None:
         self._shape = shape
         self._rule = rule
-        self._arcs = [arc_lengths(face) if _curved(face) else None for face in shape.faces]
-        self._spacing = np.full(len(first.vertices), rule.max_length)
+        # A face narrower than the finest spacing is a seam of the B-rep, not something to resolve.
+        finest = _FINEST * rule.max_length
+        arcs = [arc_lengths(face) if _curved(face) else None for face in shape.faces]
+        self._arcs = [a if a and min(a[0][-1], a[1][-1]) > finest else None for a in arcs]
+        self._spacing = self._plain = np.full(len(first.vertices), rule.max_length)
         if rule.graded:
             rim = first.edge.ravel() >= 0
-            length = first.side_lengths().ravel()[rim]
+            length = np.maximum(first.side_lengths().ravel()[rim], _FINEST * rule.max_length)
             ends = first.triangles.ravel(), np.roll(first.triangles, -1, axis=1).ravel()
             for end in ends:
                 np.minimum.at(self._spacing, end[rim], length)
+            self._plain = self._spacing.copy()
             self._limit_by_surface(first, 0)
 
     def __call__(self, mesh: Tessellation, sides: Sides, length: FloatArray) -> FloatArray:
@@ -77,12 +91,13 @@ class Sizing:
             if face.kind is None:
                 size[rows] = 0.0  # Without a surface there is nowhere to put a new vertex.
                 continue
-            stretch = 1.0
-            if _curved(face):
-                stretch = _STRETCH
+            curved = _curved(face) and self._arcs[f] is not None
+            stretch = _STRETCH if curved else 1.0
+            if curved:
                 size[rows] = np.maximum(size[rows], self._detail(face, f, mesh, rows, length[rows]))
             if self._rule.graded:
-                a = self._spacing[mesh.triangles[rows]]
+                spacing = self._spacing if curved else self._plain
+                a = spacing[mesh.triangles[rows]]
                 b = np.roll(a, -1, axis=1)
                 steps = _steps(a, b, length[rows]) / (_SLACK * stretch)
                 size[rows] = np.maximum(size[rows], steps)
@@ -95,14 +110,19 @@ class Sizing:
         known = len(self._spacing)
         fresh = np.full(len(mesh.vertices) - known, self._rule.max_length)
         self._spacing = np.concatenate([self._spacing, fresh])
+        self._plain = np.concatenate([self._plain, fresh])
         self._limit_by_surface(mesh, known)
         tail = mesh.triangles.ravel()[sides.first]
         head = np.roll(mesh.triangles, -1, axis=1).ravel()[sides.first]
-        grow = _GROWTH * length.ravel()[sides.first]
-        for _ in range(6):
-            reach = self._spacing[tail] + grow, self._spacing[head] + grow
-            np.minimum.at(self._spacing, head, reach[0])
-            np.minimum.at(self._spacing, tail, reach[1])
+        long = length.ravel()[sides.first]
+        rim = mesh.edge.ravel()[sides.first] >= 0
+        for end in (tail, head):
+            np.minimum.at(self._plain, end[rim], _RIM_SLACK * long[rim])
+        for spacing in (self._spacing, self._plain):
+            for _ in range(6):
+                reach = spacing[tail] + _GROWTH * long, spacing[head] + _GROWTH * long
+                np.minimum.at(spacing, head, reach[0])
+                np.minimum.at(spacing, tail, reach[1])
 
     def _limit_by_surface(self, mesh: Tessellation, known: int) -> None:
         """Lower the spacing of the vertices from ``known`` on to what their faces ask for."""
@@ -120,10 +140,11 @@ class Sizing:
             limit = np.full(len(vertex), rule.max_length)
             if math.isfinite(rule.max_turn):
                 curvature = largest_curvature(self._shape.faces[f], mesh.uv[rows][new][at])
-                limit = rule.max_turn / np.maximum(curvature, 1e-12)
+                limit = self._max_turn(f) / np.maximum(curvature, 1e-12)
                 limit = np.maximum(limit, _SMALLEST * width)
             if rule.divisions and width > 0:
                 limit = np.minimum(limit, width / self._divisions(f)[0])
+            limit = np.maximum(limit, _FINEST * rule.max_length)
             self._spacing[vertex] = np.minimum(self._spacing[vertex], limit)
 
     def _detail(
@@ -133,7 +154,13 @@ class Sizing:
         uv, other = _side_ends(mesh.uv[rows], mesh.free[rows])
         size = np.zeros_like(length)
         if math.isfinite(self._rule.max_turn):
-            size = _turn(face, mesh, rows, uv, other) / self._rule.max_turn
+            size = _turn(face, mesh, rows, uv, other) / self._max_turn(f)
+        if self._rule.graded:
+            spacing = self._spacing[mesh.triangles[rows]]
+            least = _KINK[0] * np.minimum(spacing, np.roll(spacing, -1, axis=1))
+        else:
+            least = np.full_like(length, _KINK[1] * self._rule.max_length)
+        size[length < least] = 0.0
         arcs = self._arcs[f]
         if not self._rule.divisions or arcs is None:
             return size
@@ -147,8 +174,16 @@ class Sizing:
             a, b = (np.interp(x[..., axis], grid, table) for x in (uv, other))
             # Lines of a parameter grow shorter towards a pole: the side's own length bounds them.
             extent = np.minimum(np.abs(a - b), length)
-            size = np.maximum(size, extent * (across if axis == narrow else along) / table[-1])
+            part = extent * (across if axis == narrow else along) / table[-1]
+            size = np.maximum(size, np.where(length < least, 0.0, part))
         return size
+
+    def _max_turn(self, f: int) -> float:
+        arcs = self._arcs[f]
+        if arcs is None:
+            return self._rule.max_turn
+        slenderness = _slenderness(arcs)
+        return self._rule.max_turn * float(np.clip((slenderness / _STRIP) ** 0.5, 1.0, _STRIP_TURN))
 
     def _divisions(self, f: int) -> tuple[float, float]:
         """Least number of sides across and along a face: fewer across a long narrow strip, which
@@ -156,10 +191,14 @@ class Sizing:
         arcs, wanted = self._arcs[f], self._rule.divisions
         if not wanted or arcs is None:
             return 0.0, 0.0
-        lengths = sorted((arcs[0][-1], arcs[1][-1]))
-        slenderness = lengths[1] / max(lengths[0], 1e-12)
-        across = max(_FEWEST, wanted * math.sqrt(min(1.0, wanted / slenderness)))
+        across = max(_FEWEST, wanted * math.sqrt(min(1.0, wanted / _slenderness(arcs))))
         return min(across, wanted), wanted
+
+
+def _slenderness(arcs: tuple[FloatArray, FloatArray]) -> float:
+    """Length of a face over its width."""
+    width, length = sorted((float(arcs[0][-1]), float(arcs[1][-1])))
+    return length / max(width, 1e-12)
 
 
 def _curved(face: BrepFace) -> bool:

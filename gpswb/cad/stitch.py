@@ -9,13 +9,14 @@ from scipy.sparse.csgraph import connected_components
 from scipy.spatial import cKDTree
 
 from gpswb.cad.faced import FacedMesh, open_sides
+from gpswb.core.mesh import IntArray
 
 
 def stitch(mesh: FacedMesh, tolerance: float) -> FacedMesh:
     """Weld vertices on open borders that lie within ``tolerance`` (mm) of each other.
 
     For shells whose faces don't share their edges: where the borders were cut alike, they close.
-    It is done only if no side comes to belong to three triangles by it.
+    It is done only if no side comes to have two triangles on the same side of it.
     """
     border = open_sides(mesh.triangles)
     if not border.any():
@@ -33,7 +34,7 @@ def stitch(mesh: FacedMesh, tolerance: float) -> FacedMesh:
     triangles = vertex[mesh.triangles]
     keep = (triangles != np.roll(triangles, -1, axis=1)).all(axis=1)
     triangles = triangles[keep]
-    if _most_in_a_side(triangles) > max(2, _most_in_a_side(mesh.triangles)):
+    if _excess(triangles) > _excess(mesh.triangles):
         return mesh
     return FacedMesh(mesh.vertices[first], triangles, mesh.face[keep])
 
@@ -53,6 +54,8 @@ def signed_volume(mesh: FacedMesh) -> float:
     return float(np.einsum("ij,ij->", corner[:, 0], np.cross(corner[:, 1], corner[:, 2])) / 6)
 
 
-def _most_in_a_side(triangles: np.ndarray) -> int:
-    ends = np.sort(np.stack([triangles, np.roll(triangles, -1, axis=1)], axis=2).reshape(-1, 2))
-    return int(np.unique(ends, axis=0, return_counts=True)[1].max(initial=0))
+def _excess(triangles: IntArray) -> int:
+    """Sides that two triangles run along in the same direction: more than two triangles meet there,
+    or two that look opposite ways."""
+    ways = np.stack([triangles, np.roll(triangles, -1, axis=1)], axis=2).reshape(-1, 2)
+    return len(ways) - len(np.unique(ways, axis=0))
