@@ -7,6 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from gpswb.core.corrected import partition_corrected
 from gpswb.core.initial import InitialPartition, initial_partition
 from gpswb.core.invariance import InvarianceClass
 from gpswb.core.mesh import BoolArray, IntArray, Mesh
@@ -51,11 +52,15 @@ def partition_robust(
 
     Args:
         mesh: the mesh.
-        sigma: noise of the vertices, mm; 0 for a nominal mesh.
+        sigma: noise of the vertices, mm; 0 for a nominal mesh. Where it exceeds the tolerances, the
+            regions come from the flow of mode `corrected`, which averages.
         tolerances: thresholds of the steps shared with mode `corrected`.
         progress: listener.
     """
     tol = tolerances or Tolerances()
+    if 3.0 * sigma > TIERS[-1] * mesh.diagonal:
+        # Nothing lies on anything to within the widest tolerance: averages have to do.
+        return replace(partition_corrected(mesh, sigma, tol, progress), mode="robust")
     if sigma == 0.0:
         # Nominal vertices need no allowance for form: a class they don't fit is the wrong one.
         tol = replace(tol, form=tol.distance)
