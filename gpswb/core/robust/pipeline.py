@@ -120,6 +120,8 @@ def simple_surfaces(
         found = compete(mesh, graph, found, polygon, certain, fine)
         clock.report("refine", (number + 1) / (len(TIERS) + 1))
     found = dissolve(mesh, graph, found, polygon, whole & ~certain[polygon])
+    # What the dissolved regions had taken may belong to those that stay.
+    found = compete(mesh, graph, found, polygon, certain, fine)
     planes = []
     order = np.argsort(polygon, kind="stable")
     bounds = np.searchsorted(polygon[order], np.arange(len(certain) + 1))
