@@ -14,8 +14,9 @@ from gpswb.io.ap242.part21 import Part21, Ref, Value
 from gpswb.io.ap242.placement import placement, point
 from gpswb.io.ap242.units import number_of
 
-STEPS = 16
-"""Pieces that an edge is cut into: an arc of a full turn then deviates by 2 % of its radius."""
+_STRAIGHT, _ROUND, _WINDING = 4, 64, 128
+"""Pieces that an edge is cut into. A chord of a 64th turn is 0.1 % of the radius off the arc; free
+curves may wind, as a thread's edges do."""
 _WRAPPED = {
     "SURFACE_CURVE": 1, "SEAM_CURVE": 1, "INTERSECTION_CURVE": 1, "BOUNDED_SURFACE_CURVE": 1,
     "TRIMMED_CURVE": 1,
@@ -57,7 +58,7 @@ def _along(
         sampler = _SAMPLERS.get(keyword)
         if sampler is not None:
             return sampler(file, curve, ends, mm)
-    return np.linspace(*ends, STEPS + 1)
+    return np.linspace(*ends, _STRAIGHT + 1)
 
 
 def _conic(
@@ -69,7 +70,7 @@ def _conic(
     parameters = file[curve][keyword]
     radii = [r * mm for r in map(number_of, parameters[2:]) if r is not None]
     if not radii or min(radii) <= 0:
-        return np.linspace(*ends, STEPS + 1)
+        return np.linspace(*ends, _STRAIGHT + 1)
     frame = placement(file, parameters[1], mm)
     first, second = radii[0], radii[-1]
     angle = [
@@ -78,7 +79,7 @@ def _conic(
     ]
     closed = float(np.linalg.norm(ends[1] - ends[0])) <= 1e-6 * max(first, second)
     sweep = 2 * np.pi if closed else (angle[1] - angle[0]) % (2 * np.pi)
-    turn = angle[0] + np.linspace(0.0, sweep, STEPS + 1)
+    turn = angle[0] + np.linspace(0.0, sweep, _ROUND + 1)
     x, y = first * np.cos(turn), second * np.sin(turn)
     return np.asarray(frame[:3, 3] + np.outer(x, frame[:3, 0]) + np.outer(y, frame[:3, 1]))
 
@@ -92,15 +93,15 @@ def _open_conic(
     parameters = file[curve][keyword]
     sizes = [s * mm for s in map(number_of, parameters[2:]) if s is not None]
     if not sizes or min(sizes) <= 0:
-        return np.linspace(*ends, STEPS + 1)
+        return np.linspace(*ends, _STRAIGHT + 1)
     frame = placement(file, parameters[1], mm)
     heights = [float((end - frame[:3, 3]) @ frame[:3, 1]) for end in ends]
     if keyword == "HYPERBOLA":
         low, high = (float(np.arcsinh(height / sizes[-1])) for height in heights)
-        t = np.linspace(low, high, STEPS + 1)
+        t = np.linspace(low, high, _ROUND + 1)
         x, y = sizes[0] * np.cosh(t), sizes[-1] * np.sinh(t)
     else:
-        y = np.linspace(heights[0], heights[1], STEPS + 1)
+        y = np.linspace(heights[0], heights[1], _ROUND + 1)
         x = y**2 / (4.0 * sizes[0])
     return np.asarray(frame[:3, 3] + np.outer(x, frame[:3, 0]) + np.outer(y, frame[:3, 1]))
 
@@ -111,7 +112,7 @@ def _polyline(
     assert isinstance(curve, Ref)
     corners = file[curve]["POLYLINE"][1]
     if not isinstance(corners, tuple) or len(corners) < 2:
-        return np.linspace(*ends, STEPS + 1)
+        return np.linspace(*ends, _STRAIGHT + 1)
     return _between(np.array([point(file, p, mm) for p in corners]), ends)
 
 
@@ -129,7 +130,7 @@ def _spline(
         degree, poles, knots = parameters[1], parameters[2], parameters[6:8]
     rational = record.get("RATIONAL_B_SPLINE_CURVE", ((),))[0]
     if not isinstance(poles, tuple) or not isinstance(degree, int) or len(poles) > _MOST_POLES:
-        return np.linspace(*ends, STEPS + 1)
+        return np.linspace(*ends, _STRAIGHT + 1)
     control = np.array([point(file, p, mm) for p in poles])
     weights = np.array(
         [number_of(w) or 1.0 for w in rational] if isinstance(rational, tuple) else []
@@ -138,9 +139,9 @@ def _spline(
         weights = np.ones(len(control))
     vector = _knots(knots, len(control), degree)
     if vector is None:
-        return np.linspace(*ends, STEPS + 1)
+        return np.linspace(*ends, _STRAIGHT + 1)
     lifted = np.column_stack([control * weights[:, None], weights])
-    t = np.linspace(vector[degree], vector[len(control)], 32 * STEPS + 1)
+    t = np.linspace(vector[degree], vector[len(control)], 4 * _WINDING + 1)
     value = BSpline(vector, lifted, degree)(t)
     return _between(np.asarray(value[:, :3] / value[:, 3:]), ends)
 
@@ -167,8 +168,7 @@ def _between(points: FloatArray, ends: tuple[FloatArray, FloatArray]) -> FloatAr
         piece = points[first : last + 1]
     else:
         piece = np.concatenate([points[first:], points[: last + 1]])
-    # Free curves may wind: a thread's edge makes many turns.
-    keep = np.unique(np.linspace(0, len(piece) - 1, 8 * STEPS + 1).round().astype(int))
+    keep = np.unique(np.linspace(0, len(piece) - 1, _WINDING + 1).round().astype(int))
     return np.concatenate([[ends[0]], piece[keep][1:-1], [ends[1]]])
 
 

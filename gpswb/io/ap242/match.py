@@ -13,7 +13,7 @@ from gpswb.core.mesh import FloatArray, IntArray, Mesh
 from gpswb.errors import InputError
 from gpswb.io.ap242.part21 import Part21, Ref
 from gpswb.io.ap242.structure import ShapeOfProduct
-from gpswb.io.ap242.surfaces import TextFace, text_face
+from gpswb.io.ap242.surfaces import TextFace, text_face, unit
 
 _CANDIDATES = 12
 _BORDER = 0.05
@@ -21,6 +21,10 @@ _BORDER = 0.05
 _SURFACE = 5e-3
 """Vertices may on average lie off the text's surface by this fraction of the face's size: edges of
 real files stray from their surfaces by as much."""
+_SIDE = 1e-3
+"""Weight of the side on which the face lies: it tells the halves of a sphere apart, which have one
+border. The normals, a fifth of that, do so where two solids touch. Neither can be relied upon:
+files hold faces and shells that are turned round, which kernels mend."""
 _PAIRS = 400_000
 """Of a long border every n-th segment is compared, so that at most so many pairs are."""
 
@@ -35,10 +39,12 @@ class FaceEntity:
 
 @dataclass(frozen=True, eq=False)
 class _Outline:
-    """Border (k, 2, 3) with the way into the face (k, 3), some vertices (v, 3), centre and size."""
+    """Border (k, 2, 3), the way into the face and its normal there (k, 3), vertices (v, 3),
+    centre and size."""
 
     border: FloatArray
     inward: FloatArray
+    normal: FloatArray
     vertices: FloatArray
     key: FloatArray
 
@@ -94,9 +100,9 @@ def match_faces(
 def _text_outline(face: TextFace, place: FloatArray) -> _Outline:
     turn, shift = place[:3, :3], place[:3, 3]
     border = face.border @ turn.T + shift
-    inward = face.inward @ turn.T
+    inward, normal = face.inward @ turn.T, face.normal @ turn.T
     middle = (place @ face.frame)[:3, 3]
-    return _Outline(border, inward, border.reshape(-1, 3), _key(border, middle))
+    return _Outline(border, inward, normal, border.reshape(-1, 3), _key(border, middle))
 
 
 def _mesh_outline(vertices: FloatArray, triangles: IntArray) -> _Outline:
@@ -105,12 +111,14 @@ def _mesh_outline(vertices: FloatArray, triangles: IntArray) -> _Outline:
     _, first, count = np.unique(edges, axis=0, return_index=True, return_counts=True)
     rim = np.sort(first[count == 1])
     border = vertices[edges[rim]]
+    across = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    normal = unit(np.asarray(across, dtype=np.float64))[rim // 3]
     into = corners[rim // 3].mean(axis=1) - border.mean(axis=1)
-    length = np.linalg.norm(into, axis=1, keepdims=True)
-    inward = np.divide(into, length, out=np.zeros_like(into), where=length > 0)
+    along = unit(border[:, 1] - border[:, 0])
+    inward = unit(into - along * np.einsum("ij,ij->i", into, along)[:, None])
     own = vertices[np.unique(triangles)]
     middle = (own.min(axis=0) + own.max(axis=0)) / 2
-    return _Outline(border, inward, own, _key(border, middle))
+    return _Outline(border, inward, normal, own, _key(border, middle))
 
 
 def _key(border: FloatArray, middle: FloatArray) -> FloatArray:
@@ -132,18 +140,20 @@ def _cost(face: TextFace, place: FloatArray, text: _Outline, mesh: _Outline) -> 
         if len(text.border) or len(mesh.border):
             return None
         return off / size
-    apart, inside = 0.0, 0.0
-    for one, other in ((text, mesh), (mesh, text)):
+    apart, unlike = [], 0.0
+    for one, other in ((mesh, text), (text, mesh)):
         step = 1 + len(one.border) * len(other.border) // _PAIRS
-        distance, nearest = _to_segments(one.border[::step].mean(axis=1), other.border)
-        apart = max(apart, float(distance.max()))
-        alike = np.einsum("ij,ij->i", one.inward[::step], other.inward[nearest])
-        inside += float(np.mean(alike)) / 2
-    if apart > _BORDER * size:
-        return None
-    known = bool(text.inward.any())
-    # Two halves of a sphere have one border: the side on which the face lies tells them apart.
-    return apart / size + off / size + ((1.0 - inside) / 2 if known else 0.0)
+        distance, nearest = _to_segments(one.border[::step, 0], other.border)
+        if float(distance.max()) > _BORDER * size:
+            return None
+        apart.append(float(distance.mean()))
+        for a, b, weight in (
+            (one.inward, other.inward, 1.0),
+            (one.normal, other.normal, 0.2),
+        ):
+            unlike += weight * float(np.mean(1.0 - np.einsum("ij,ij->i", a[::step], b[nearest])))
+    # The mesh's vertices lie on the edges, the text's are up to a chord's height off the mesh's.
+    return (apart[0] + off) / size + (_SIDE * unlike if text.inward.any() else 0.0)
 
 
 def _to_segments(points: FloatArray, segments: FloatArray) -> tuple[FloatArray, IntArray]:

@@ -30,6 +30,7 @@ class TextFace:
         kind: keyword of its surface. ``frame`` (4, 4) and ``sizes`` (mm, rad) of elementary ones.
         border: (k, 2, 3) mm, the segments of its edges, seams left out.
         inward: (k, 3) unit, from the middle of each segment into the face; zero where not known.
+        normal: (k, 3) unit, of the face there; zero where not known.
     """
 
     number: Ref
@@ -38,6 +39,7 @@ class TextFace:
     sizes: tuple[float, ...]
     border: FloatArray
     inward: FloatArray
+    normal: FloatArray
 
     def distance(self, points: FloatArray, place: FloatArray) -> FloatArray:
         """(k,) mm from points (k, 3) to the unbounded surface placed by (4, 4); zero where it isn't
@@ -88,10 +90,10 @@ def text_face(file: Part21, number: Ref, units: Units) -> TextFace:
     lines = [points for found in passes.values() if len(found) == 1 for points in found]
     segments = [np.stack([line[:-1], line[1:]], axis=1) for line in lines]
     border = np.concatenate(segments) if segments else np.zeros((0, 2, 3))
-    face = TextFace(number, kind, frame, sizes, border, np.zeros((len(border), 3)))
-    return TextFace(
-        number, kind, frame, sizes, border, _inward(face, 1.0 if sense != "F" else -1.0)
-    )
+    normal = _normals(kind, frame, sizes, border.mean(axis=1)) * (1.0 if sense != "F" else -1.0)
+    # A face lies to the left of its border, seen against its normal.
+    inward = unit(np.asarray(np.cross(normal, border[:, 1] - border[:, 0]), dtype=np.float64))
+    return TextFace(number, kind, frame, sizes, border, inward, normal)
 
 
 def _surface(
@@ -133,31 +135,28 @@ def _loop(file: Part21, bound: Value, mm: float) -> list[tuple[Ref, FloatArray]]
     return passes
 
 
-def _inward(face: TextFace, sense: float) -> FloatArray:
-    """(k, 3) into the face, which lies to the left of its border seen against its normal."""
-    middle, along = face.border.mean(axis=1), face.border[:, 1] - face.border[:, 0]
-    if face.kind not in _ELEMENTARY or not len(middle):
-        return np.zeros((len(middle), 3))
-    z, origin = face.frame[:3, 2], face.frame[:3, 3]
-    relative = middle - origin
-    level = relative @ z
-    radial = relative - np.outer(level, z)
-    rho = np.linalg.norm(radial, axis=1, keepdims=True)
-    out = radial / np.maximum(rho, 1e-12)
-    match face.kind:
-        case "PLANE":
-            normal = np.broadcast_to(z, middle.shape)
-        case "CYLINDRICAL_SURFACE":
-            normal = out
-        case "CONICAL_SURFACE":
-            angle = face.sizes[1]
-            normal = out * np.cos(angle) - z * np.sin(angle)
-        case "SPHERICAL_SURFACE":
-            normal = relative
-        case _:
-            normal = relative - face.sizes[0] * out
-    inward = np.cross(normal * sense, along)
-    length = np.linalg.norm(inward, axis=1, keepdims=True)
+def _normals(
+    kind: str, frame: FloatArray, sizes: tuple[float, ...], points: FloatArray
+) -> FloatArray:
+    """(k, 3) unit normals of an elementary surface near points; zero for others."""
+    if kind not in _ELEMENTARY:
+        return np.zeros_like(points)
+    z, relative = frame[:3, 2], points - frame[:3, 3]
+    if kind == "PLANE":
+        return np.tile(z, (len(points), 1))
+    if kind == "SPHERICAL_SURFACE":
+        return unit(relative)
+    out = unit(relative - np.outer(relative @ z, z))
+    if kind == "CYLINDRICAL_SURFACE":
+        return out
+    if kind == "CONICAL_SURFACE":
+        return np.asarray(out * np.cos(sizes[1]) - z * np.sin(sizes[1]))
+    return unit(relative - sizes[0] * out)
+
+
+def unit(vectors: FloatArray) -> FloatArray:
+    """Vectors (k, 3) scaled to length 1; those without length stay zero."""
+    length = np.linalg.norm(vectors, axis=1, keepdims=True)
     return np.asarray(
-        np.divide(inward, length, out=np.zeros_like(inward), where=length > 0), dtype=np.float64
+        np.divide(vectors, length, out=np.zeros_like(vectors), where=length > 0), dtype=np.float64
     )
