@@ -131,19 +131,35 @@ class FreecadFace:
             return _EMPTY
         uv, merged = np.array(raw), np.array([tuple(p) for p in points])
         corner = np.array(triangles, dtype=np.int64)
-        near = cKDTree(merged).query(self.derivatives(uv)[0])[1]
+        near = _match(self.derivatives(uv)[0], merged)
         copies: list[list[int]] = [[] for _ in merged]
         for node, at in enumerate(near.tolist()):
             copies[at].append(node)
         if not all(copies[i] for i in np.unique(corner)):
-            return _without_rims(merged, corner)
+            # Nothing tells where the nodes lie on the surface: the triangles stay as they are.
+            return Patch(merged, np.full((len(merged), 2), np.nan), corner, ())
         chosen = _choose_copies(corner, copies, uv, self.bounds)
         nodes = merged[near]
         return Patch(nodes, uv, chosen, find_rims(self, uv, chosen))
 
 
-def _without_rims(points: FloatArray, triangles: IntArray) -> Patch:
-    return Patch(points, np.zeros((len(points), 2)), triangles, ())
+def _match(unmerged: FloatArray, merged: FloatArray) -> IntArray:
+    """For each unmerged point the merged one that it went into.
+
+    The nearest; but a B-rep vertex may lie off the surface by more than its neighbours are apart,
+    and every merged point came from one.
+    """
+    near: IntArray = cKDTree(merged).query(unmerged)[1].astype(np.int64)
+    lonely = np.setdiff1d(np.arange(len(merged)), near)
+    if len(lonely):
+        count = np.bincount(near, minlength=len(merged))
+        choices = cKDTree(unmerged).query(merged[lonely], k=min(8, len(unmerged)))[1]
+        for point, options in zip(lonely.tolist(), np.atleast_2d(choices).tolist(), strict=True):
+            spare = next((i for i in options if count[near[i]] > 1), None)
+            if spare is not None:
+                count[near[spare]] -= 1
+                near[spare] = point
+    return near
 
 
 def _choose_copies(

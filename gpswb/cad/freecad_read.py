@@ -34,7 +34,7 @@ def read(path: Path, form: Format) -> FreecadShape:
             notes = (f"the file uses several length units: {', '.join(names)}",)
         shape = _part_read(path, path)
     elif form == "brep":
-        shape = _part_read(path, path)
+        shape = _read_brep(path.read_bytes(), path)
     else:
         shape = _read_fcstd(path)
     if shape.isNull():
@@ -59,16 +59,21 @@ def _part_read(file: Path, named: Path) -> Any:
         raise InputError(f"{named}: FreeCAD can't read the file ({reason[0]})") from None
 
 
+def _read_brep(text: bytes, named: Path) -> Any:
+    # FreeCAD goes by the suffix, and knows only this one.
+    with tempfile.TemporaryDirectory(prefix="gpswb-") as folder:
+        file = Path(folder) / "shape.brep"
+        file.write_bytes(text)
+        return _part_read(file, named)
+
+
 def _read_fcstd(path: Path) -> Any:
     parts = []
-    with tempfile.TemporaryDirectory(prefix="gpswb-") as folder:
-        for i, stored in enumerate(stored_shapes(path)):
-            file = Path(folder) / f"{i}.brep"
-            file.write_bytes(stored.brep)
-            shape = _part_read(file, path)
-            matrix = FreeCAD.Matrix(*stored.placement.ravel().tolist())
-            shape.Placement = FreeCAD.Placement(matrix).multiply(shape.Placement)
-            parts.append(shape)
+    for stored in stored_shapes(path):
+        shape = _read_brep(stored.brep, path)
+        matrix = FreeCAD.Matrix(*stored.placement.ravel().tolist())
+        shape.Placement = FreeCAD.Placement(matrix).multiply(shape.Placement)
+        parts.append(shape)
     return parts[0] if len(parts) == 1 else Part.makeCompound(parts)
 
 

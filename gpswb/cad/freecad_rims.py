@@ -29,13 +29,19 @@ class _Face(Protocol):
     @property
     def curves(self) -> dict[tuple[int, int], tuple[Any, float, float]]: ...
     def degenerate(self, edge: int) -> bool: ...
+    def derivatives(self, uv: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]: ...
 
 
 def find_rims(face: _Face, uv: FloatArray, triangles: IntArray) -> tuple[Rim, ...]:
     """Rims of a face whose nodes have the parameters ``uv`` (k, 2)."""
-    border = _border_nodes(triangles)
+    border_sides = _border_sides(triangles)
+    border = np.unique(border_sides)
+    joined = {tuple(side) for side in border_sides.tolist()}
+    points = face.derivatives(uv)[0]
     u0, u1, v0, v1 = face.bounds
-    extent = np.array([max(u1 - u0, 1e-12), max(v1 - v0, 1e-12)])
+    extent = np.array([u1 - u0, v1 - v0])
+    # The parameters are exact to rounding of the larger: a sliver's own width is no measure.
+    extent = np.maximum(extent, max(1e-3 * float(extent.max()), 1e-12))
     rims = []
     for (edge, side), (curve, first, last) in face.curves.items():
         degenerate = face.degenerate(edge)
@@ -43,15 +49,52 @@ def find_rims(face: _Face, uv: FloatArray, triangles: IntArray) -> tuple[Rim, ..
         candidates = np.arange(len(uv)) if degenerate else border
         near = candidates[_near(curve, first, last, uv[candidates], extent)]
         nodes, parameters = _on_curve(curve, first, last, uv, near, extent)
+        if not degenerate:
+            ends = [(t, face.derivatives(_uv(curve, t))[0][0]) for t in (first, last)]
+            nodes, parameters = _with_ends(nodes, parameters, ends, points, border, joined)
         if len(nodes) >= 2:
             rims.append(Rim(edge, side, nodes, parameters, degenerate))
     return tuple(rims)
 
 
-def _border_nodes(triangles: IntArray) -> IntArray:
+def _border_sides(triangles: IntArray) -> IntArray:
+    """(b, 2) sides of one triangle only, lower node first."""
     ends = np.sort(np.stack([triangles, np.roll(triangles, -1, axis=1)], axis=2).reshape(-1, 2))
     pairs, count = np.unique(ends, axis=0, return_counts=True)
-    return np.unique(pairs[count == 1])
+    single: IntArray = pairs[count == 1]
+    return single
+
+
+def _uv(curve: Any, t: float) -> FloatArray:
+    p = curve.value(t)
+    return np.array([(p.x, p.y)])
+
+
+def _with_ends(
+    nodes: IntArray,
+    parameters: FloatArray,
+    ends: list[tuple[float, FloatArray]],
+    points: FloatArray,
+    border: IntArray,
+    joined: set[tuple[int, int]],
+) -> tuple[IntArray, FloatArray]:
+    """Add the nodes of the edge's vertices where they are missing.
+
+    BRepMesh gives a vertex one node; within the vertex's tolerance it may lie off the curve. It is
+    the border node nearest to the curve's end that a border side joins to the rest of the rim.
+    """
+    chain, values = nodes.tolist(), parameters.tolist()
+    slack = 1e-9 * (1 + abs(ends[1][0] - ends[0][0]))
+    for i, (t, end) in enumerate(ends):
+        if values and abs(values[-i] - t) <= slack:
+            continue
+        candidate = int(border[np.linalg.norm(points[border] - end, axis=1).argmin()])
+        if not chain or tuple(sorted((candidate, chain[-i]))) in joined:
+            chain.insert(len(chain) * i, candidate)
+            values.insert(len(values) * i, t)
+    if len(chain) == 2 and tuple(sorted(chain)) not in joined:
+        chain, values = [], []
+    return np.array(chain, dtype=np.int64), np.array(values, dtype=np.float64)
 
 
 def _near(curve: Any, first: float, last: float, uv: FloatArray, extent: FloatArray) -> np.ndarray:

@@ -42,8 +42,9 @@ class Rim:
 
 @dataclass(frozen=True, eq=False)
 class Patch:
-    """The triangulation of one face: (k, 3) nodes in mm, (k, 2) their parameters, (t, 3) triangles
-    counter-clockwise seen from outside, and the rims that tie it to its neighbours."""
+    """The triangulation of one face: (k, 3) nodes in mm, (k, 2) their parameters (nan where the
+    kernel doesn't know them), (t, 3) triangles counter-clockwise seen from outside, and the rims
+    that tie it to its neighbours."""
 
     nodes: FloatArray
     uv: FloatArray

@@ -88,8 +88,8 @@ class Sizing:
         size = length / self._rule.max_length
         for f, rows in _by_face(mesh.face):
             face = self._shape.faces[f]
-            if face.kind is None:
-                size[rows] = 0.0  # Without a surface there is nowhere to put a new vertex.
+            if face.kind is None or np.isnan(mesh.uv[rows]).any():
+                size[rows] = 0.0  # There is no telling where a new vertex would lie.
                 continue
             curved = _curved(face) and self._arcs[f] is not None
             stretch = _STRETCH if curved else 1.0
@@ -116,8 +116,9 @@ class Sizing:
         head = np.roll(mesh.triangles, -1, axis=1).ravel()[sides.first]
         long = length.ravel()[sides.first]
         rim = mesh.edge.ravel()[sides.first] >= 0
+        finest = _FINEST * self._rule.max_length
         for end in (tail, head):
-            np.minimum.at(self._plain, end[rim], _RIM_SLACK * long[rim])
+            np.minimum.at(self._plain, end[rim], np.maximum(_RIM_SLACK * long[rim], finest))
         for spacing in (self._spacing, self._plain):
             for _ in range(6):
                 reach = spacing[tail] + _GROWTH * long, spacing[head] + _GROWTH * long
@@ -129,7 +130,7 @@ class Sizing:
         rule = self._rule
         for f, rows in _by_face(mesh.face):
             arcs = self._arcs[f]
-            if arcs is None:
+            if arcs is None or np.isnan(mesh.uv[rows]).any():
                 continue
             corner = mesh.triangles[rows]
             new = corner >= known

@@ -36,7 +36,7 @@ def _smooth_once(mesh: Tessellation, shape: Shape) -> Tessellation:
     fixed[np.roll(mesh.triangles, -1, axis=1)[rim]] = True
     fixed[mesh.triangles[(mesh.free > 0).any(axis=1)]] = True
     bare = np.array([face.kind is None for face in shape.faces])
-    fixed[mesh.triangles[bare[mesh.face]]] = True
+    fixed[mesh.triangles[bare[mesh.face] | np.isnan(mesh.uv).any(axis=(1, 2))]] = True
     # A vertex inside a face has the same parameters in all its triangles: take any one corner.
     at = np.zeros(n, dtype=np.int64)
     at[corner] = np.arange(len(corner))

@@ -70,7 +70,7 @@ def weld(patches: Sequence[Patch], faces: Sequence[BrepFace]) -> Tessellation:
     uv = np.concatenate([p.uv for p in patches]).reshape(-1, 2)
     normal = np.concatenate(
         [
-            outward_normals(f, p.uv) if f.kind is not None else np.zeros_like(p.nodes)
+            outward_normals(f, p.uv) if _located(f, p) else np.zeros_like(p.nodes)
             for p, f in zip(patches, faces, strict=True)
         ]
     ).reshape(-1, 3)
@@ -91,6 +91,10 @@ def weld(patches: Sequence[Patch], faces: Sequence[BrepFace]) -> Tessellation:
         ends[keep],
         free[keep],
     )
+
+
+def _located(face: BrepFace, patch: Patch) -> bool:
+    return face.kind is not None and bool(np.isfinite(patch.uv).all())
 
 
 def _labels(patches: Sequence[Patch], offset: IntArray) -> IntArray:
