@@ -21,6 +21,8 @@ OWNED = (
     "features.csv",
     "specifications.csv",
     "ap242.step",
+    "part.qif",
+    "coloured.step",
 )
 """Every file that this verb may write in the output directory."""
 
@@ -55,7 +57,13 @@ def register(verbs: argparse._SubParsersAction[argparse.ArgumentParser]) -> None
         action="store_true",
         help="write ap242.step: INPUT's own text with datums and given tolerances as semantic PMI",
     )
+    parser.add_argument("--qif", action="store_true", help="write part.qif (QIF 3.0)")
     parser.add_argument("--csv", action="store_true", help="write features and specifications.csv")
+    parser.add_argument(
+        "--coloured",
+        action="store_true",
+        help="write coloured.step: faces named and coloured by class",
+    )
     add_density_option(parser)
     add_pipeline_options(parser)
     parser.set_defaults(run=run)

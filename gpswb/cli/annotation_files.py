@@ -10,7 +10,7 @@ from pathlib import Path
 from gpswb.cad.pmi import Pmi
 from gpswb.cad.solid import Solid
 from gpswb.cli.one_part import Outcome
-from gpswb.errors import InputError, OutputError
+from gpswb.errors import InputError, KernelError, OutputError
 from gpswb.gps.annotation import Annotation
 from gpswb.gps.review import Remark
 from gpswb.io.ap242.compare import differences
@@ -20,6 +20,7 @@ from gpswb.io.ap242.structure import shapes_of
 from gpswb.io.ap242.write import read_text, write_ap242
 from gpswb.io.features_csv import write_features_csv, write_specifications_csv
 from gpswb.io.features_json import features_document, write_features_json
+from gpswb.io.qif import write_qif
 
 _STEP = (".step", ".stp", ".p21")
 
@@ -58,7 +59,26 @@ def write_all(
     if args.ap242:
         lines += ["", _export(directory / "ap242.step", args.input, solid, annotation)]
         names.append("ap242.step")
+    if args.qif:
+        write_qif(directory / "part.qif", annotation, Path(solid.source).name)
+        names.append("part.qif")
+    if args.coloured:
+        _colour(directory / "coloured.step", args.input, outcome, annotation)
+        names.append("coloured.step")
     return lines, names
+
+
+def _colour(path: Path, source: Path, outcome: Outcome, annotation: Annotation) -> None:
+    if source.suffix.lower() not in _STEP or outcome.validation is None:
+        raise InputError(f"{source}: --coloured is for STEP files")
+    try:
+        from gpswb.io.step_coloured import write_coloured_step
+    except ImportError as error:
+        raise KernelError(f"--coloured needs OCP, which isn't in this Python ({error})") from None
+    faces = outcome.validation.faces
+    classes = {f.name: f.invariance_class for f in faces if f.invariance_class is not None}
+    names = {name: f.name for f in annotation.table.integral for name in f.faces}
+    write_coloured_step(path, source, classes, names)
 
 
 def _export(path: Path, source: Path, solid: Solid, annotation: Annotation) -> str:
