@@ -14,6 +14,9 @@ _DIRECTIVE = re.compile(
     r"|\\P[A-I]\\"
 )
 
+_RUNS = re.compile(r"['\\]|(?:(?![ -~])[\u0000-\uFFFF])+|[\U00010000-\U0010FFFF]+")
+"""What can't stand as it is: the two special characters, and runs outside printable ASCII."""
+
 
 def decode(literal: str) -> str:
     """Text of what stands between the apostrophes; a directive that is malformed stays as it is.
@@ -41,14 +44,13 @@ def _decoded(match: re.Match[str]) -> str:
 
 def encode(text: str) -> str:
     """A literal with its apostrophes, in printable ASCII only."""
-    out = []
-    for c in text:
-        if c in "'\\":
-            out.append(c * 2)
-        elif " " <= c <= "~":
-            out.append(c)
-        elif ord(c) <= 0xFFFF:
-            out.append(f"\\X2\\{ord(c):04X}\\X0\\")
-        else:
-            out.append(f"\\X4\\{ord(c):08X}\\X0\\")
-    return "'" + "".join(out).replace("\\X0\\\\X2\\", "") + "'"
+    return "'" + _RUNS.sub(_encoded, text) + "'"
+
+
+def _encoded(match: re.Match[str]) -> str:
+    run = match[0]
+    if run in ("'", "\\"):
+        return run * 2
+    if ord(run[0]) <= 0xFFFF:
+        return f"\\X2\\{run.encode('utf-16-be').hex().upper()}\\X0\\"
+    return f"\\X4\\{run.encode('utf-32-be').hex().upper()}\\X0\\"
