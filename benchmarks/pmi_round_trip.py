@@ -186,6 +186,9 @@ def one(path: Path, directory: Path) -> bool:
         f"{len(found)} of {len(solid.facemap.faces)} faces found in the text, "
         f"{len(both)} checked by name, {len(wrong)} wrong; "
     )
+    if not found:
+        say(said + "nothing to annotate")
+        return False
     product = shapes[next(iter(found.values())).shape].definition
     faces = [name for name in found if shapes[found[name].shape].definition == product]
     taken = {str(file[number]["DATUM"][-1]) for number in file.of("DATUM")}
