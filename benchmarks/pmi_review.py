@@ -11,12 +11,12 @@ from __future__ import annotations
 import sys
 from pathlib import Path
 
+from gpswb.batch.one_part import examine
+from gpswb.batch.settings import Settings
 from gpswb.cad.density import Density
 from gpswb.cad.solid import FaceTruth
 from gpswb.cli.annotate import features_of
 from gpswb.cli.annotation_files import read_present
-from gpswb.cli.one_part import examine
-from gpswb.cli.options import Settings
 from gpswb.errors import GpswbError
 from gpswb.gps.invariance_of_union import invariance_of_union
 from gpswb.gps.on_faces import features_on

@@ -9,9 +9,9 @@ from typing import Any
 
 import numpy as np
 
+from gpswb.batch.one_part import Outcome
 from gpswb.cad.density import Density
 from gpswb.cad.read import read_solid
-from gpswb.cli.one_part import Outcome
 from gpswb.cli.partition import write_all
 from gpswb.core.curvature import (
     curvedness,

@@ -8,12 +8,13 @@ import re
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from gpswb.batch.settings import Settings
 from gpswb.cli.guard import guarded
-from gpswb.cli.options import Settings, add_density_option, add_pipeline_options
+from gpswb.cli.options import add_density_option, add_pipeline_options
 from gpswb.io.whole import whole_directory
 
 if TYPE_CHECKING:
-    from gpswb.cli.one_part import Outcome
+    from gpswb.batch.one_part import Outcome
     from gpswb.gps.feature_table import FeatureTable
 
 OWNED = (
@@ -92,9 +93,9 @@ def run(args: argparse.Namespace) -> int:
 
 def _work(args: argparse.Namespace, draft: Path) -> tuple[list[str], list[str]]:
     """What is printed and the names of the files written in ``draft``."""
+    from gpswb.batch.one_part import examine
     from gpswb.cli.annotation_files import read_present, write_all
     from gpswb.cli.annotation_lines import annotation_lines, review_lines
-    from gpswb.cli.one_part import examine
     from gpswb.cli.progress import stage_bar
     from gpswb.gps.annotation import annotate
     from gpswb.gps.review import review

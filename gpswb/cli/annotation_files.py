@@ -7,9 +7,9 @@ import argparse
 from collections.abc import Sequence
 from pathlib import Path
 
+from gpswb.batch.one_part import Outcome
 from gpswb.cad.pmi import Pmi
 from gpswb.cad.solid import Solid
-from gpswb.cli.one_part import Outcome
 from gpswb.errors import InputError, KernelError, OutputError
 from gpswb.gps.annotation import Annotation
 from gpswb.gps.review import Remark

@@ -6,8 +6,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from pathlib import Path
 
+from gpswb.batch.messages import one_line
 from gpswb.cad.solid import Solid
-from gpswb.cli.messages import one_line
 from gpswb.cli.table import MOST_ROWS, aligned
 from gpswb.gps.annotation import Annotation
 from gpswb.gps.explain import explain_datum_system

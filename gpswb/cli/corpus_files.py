@@ -9,8 +9,8 @@ import json
 from collections.abc import Sequence
 from pathlib import Path
 
+from gpswb.batch.settings import Settings
 from gpswb.cli.corpus_pictures import draw_kinds, draw_worst_parts
-from gpswb.cli.options import Settings
 from gpswb.cli.table import aligned
 from gpswb.errors import OutputError
 from gpswb.io.whole import write_whole

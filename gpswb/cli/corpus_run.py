@@ -6,8 +6,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from pathlib import Path
 
-from gpswb.cli.corpus_job import Job, Limits, run_jobs
-from gpswb.cli.options import Settings
+from gpswb.batch.isolated import Job, Limits, run_jobs
+from gpswb.batch.settings import Settings
 from gpswb.cli.progress import count_bar
 from gpswb.errors import InputError
 from gpswb.validation.corpus import PartRow

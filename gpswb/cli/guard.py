@@ -13,7 +13,7 @@ from collections.abc import Callable
 from typing import Any
 
 import gpswb.errors
-from gpswb.cli.messages import internal_error
+from gpswb.batch.messages import internal_error
 from gpswb.errors import GpswbError, KernelError
 
 GRACE = 2.0

@@ -11,9 +11,9 @@ from collections.abc import Sequence
 from types import FrameType
 
 import gpswb
+from gpswb.batch.messages import internal_error, one_line
 from gpswb.cli import annotate, partition, sweep, validate
 from gpswb.cli.guard import ChildError
-from gpswb.cli.messages import internal_error, one_line
 from gpswb.errors import GpswbError
 
 VERBS = (partition, validate, sweep, annotate)

@@ -5,33 +5,13 @@ from __future__ import annotations
 
 import argparse
 import math
-from dataclasses import dataclass
-from typing import TYPE_CHECKING, Literal, get_args
+from typing import get_args
 
+from gpswb.batch.settings import Kernel
 from gpswb.cad.density import FORMS, Density
-
-if TYPE_CHECKING:
-    from gpswb.core.pipeline import Method, Mode
 
 MODES = ("robust", "corrected", "paper")
 METHODS = ("hybrid", "curvature", "slippage")
-Kernel = Literal["ocp", "freecad"]
-
-
-@dataclass(frozen=True)
-class Settings:
-    """How one part is to be examined.
-
-    ``noise`` is the σ (mm) told to the pipeline, None to let it estimate; ``noise_added`` the
-    displacement given to the vertices before, as a fraction of the diagonal, which it isn't told.
-    """
-
-    density: Density
-    mode: Mode
-    method: Method
-    kernel: Kernel
-    noise: float | None = None
-    noise_added: float = 0.0
 
 
 def add_pipeline_options(parser: argparse.ArgumentParser) -> None:

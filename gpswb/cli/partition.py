@@ -7,17 +7,13 @@ import argparse
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from gpswb.batch.settings import Settings
 from gpswb.cli.guard import guarded
-from gpswb.cli.options import (
-    Settings,
-    add_density_option,
-    add_pipeline_options,
-    non_negative,
-)
+from gpswb.cli.options import add_density_option, add_pipeline_options, non_negative
 from gpswb.io.whole import whole_directory
 
 if TYPE_CHECKING:
-    from gpswb.cli.one_part import Outcome
+    from gpswb.batch.one_part import Outcome
 
 OWNED = ("result.json", "labels.npz", "mesh.ply", "faces.csv", "report.html")
 """Every file that this verb may write in the output directory."""
@@ -56,7 +52,7 @@ def run(args: argparse.Namespace) -> int:
 
 def _work(args: argparse.Namespace, draft: Path) -> tuple[list[str], list[str]]:
     """What is printed and the names of the files written in ``draft``."""
-    from gpswb.cli.one_part import examine
+    from gpswb.batch.one_part import examine
     from gpswb.cli.progress import stage_bar
     from gpswb.cli.table import result_lines
 

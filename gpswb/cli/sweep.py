@@ -11,15 +11,10 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
+from gpswb.batch.settings import Settings
 from gpswb.cad.density import FORMS, Density
 from gpswb.cli.guard import guarded
-from gpswb.cli.options import (
-    Settings,
-    add_corpus_options,
-    add_pipeline_options,
-    density,
-    non_negative,
-)
+from gpswb.cli.options import add_corpus_options, add_pipeline_options, density, non_negative
 from gpswb.errors import InputError
 
 OWNED = ("sweep.csv", "sweep.svg")
@@ -112,7 +107,7 @@ def _measure_all(args: argparse.Namespace) -> list[Point]:
 def _measure(
     args: argparse.Namespace, files: Sequence[Path], asked: Density, noise: float
 ) -> Point:
-    from gpswb.cli.corpus_job import Limits
+    from gpswb.batch.isolated import Limits
     from gpswb.cli.corpus_run import examine_all
     from gpswb.validation.corpus import totals
 

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from gpswb.cli.one_part import Outcome
+    from gpswb.batch.one_part import Outcome
     from gpswb.core.partition import Region
     from gpswb.validation.validate import Validation
 

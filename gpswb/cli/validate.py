@@ -6,8 +6,8 @@ from __future__ import annotations
 import argparse
 from pathlib import Path
 
+from gpswb.batch.settings import Settings
 from gpswb.cli.options import (
-    Settings,
     add_corpus_options,
     add_density_option,
     add_pipeline_options,
@@ -57,8 +57,8 @@ def register(verbs: argparse._SubParsersAction[argparse.ArgumentParser]) -> None
 
 def run(args: argparse.Namespace) -> int:
     """Do it; the exit code."""
+    from gpswb.batch.isolated import Limits
     from gpswb.cli.corpus_files import check_docs, summary_lines, write_corpus, write_docs
-    from gpswb.cli.corpus_job import Limits
     from gpswb.cli.corpus_run import collect, examine_all
     from gpswb.io.whole import whole_directory
 

@@ -11,10 +11,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from gpswb.batch.isolated import Job, Limits, _row, run_jobs
+from gpswb.batch.settings import Settings
 from gpswb.cad.density import Density
-from gpswb.cli.corpus_job import Job, Limits, _row, run_jobs
 from gpswb.cli.guard import ChildError, guarded
-from gpswb.cli.options import Settings
 from gpswb.errors import InputError, KernelError, OutputError
 
 SETTINGS = Settings(Density("stl"), "robust", "hybrid", "ocp")

@@ -9,8 +9,8 @@ import pytest
 from conftest import Command
 
 import gpswb as package
+from gpswb.batch.messages import one_line
 from gpswb.cli.main import main
-from gpswb.cli.messages import one_line
 
 
 @pytest.mark.parametrize(

@@ -11,9 +11,9 @@ from pathlib import Path
 
 import numpy as np
 
+from gpswb.batch.settings import Settings
 from gpswb.cad.read import read_solid
 from gpswb.cad.solid import Solid
-from gpswb.cli.options import Settings
 from gpswb.core.mesh import Mesh
 from gpswb.core.partition import Partition
 from gpswb.core.pipeline import partition

@@ -20,8 +20,8 @@ from multiprocessing.process import BaseProcess
 from pathlib import Path
 from typing import Any
 
-from gpswb.cli.messages import internal_error, one_line
-from gpswb.cli.options import Settings
+from gpswb.batch.messages import internal_error, one_line
+from gpswb.batch.settings import Settings
 from gpswb.errors import GpswbError, KernelError
 from gpswb.validation.corpus import PartRow
 
@@ -56,7 +56,7 @@ def run_jobs(
     os.environ.update(OMP_NUM_THREADS="1", OPENBLAS_NUM_THREADS="1", MKL_NUM_THREADS="1")
     context = multiprocessing.get_context("forkserver")
     kernel = {"ocp": "gpswb.cad.ocp_read", "freecad": "gpswb.cad.freecad_read"}[settings.kernel]
-    context.set_forkserver_preload(["gpswb.cli.one_part", "gpswb.io.result_json", kernel])
+    context.set_forkserver_preload(["gpswb.batch.one_part", "gpswb.io.result_json", kernel])
     waiting = list(jobs)[::-1]
     running: dict[Job, tuple[BaseProcess, float]] = {}
     try:
@@ -146,7 +146,7 @@ def _attempt(work: Callable[[], None]) -> dict[str, str]:
 
 
 def _examine(job: Job, settings: Settings) -> None:
-    from gpswb.cli.one_part import examine
+    from gpswb.batch.one_part import examine
     from gpswb.io.labels_npz import write_labels
     from gpswb.io.result_json import result_document, write_result
 
