@@ -119,7 +119,11 @@ def features_of(outcome: Outcome) -> FeatureTable:
     from gpswb.gps.feature_table import feature_table
 
     faces: dict[int, list[str]] = {}
-    for face in outcome.validation.faces if outcome.validation else ():
-        for region in face.regions[:1]:
-            faces.setdefault(region, []).append(face.name)
-    return feature_table(outcome.partition, faces)
+    bodies: dict[int, int] = {}
+    if outcome.validation is not None and outcome.solid.facemap is not None:
+        solids = {face.name: face.solid for face in outcome.solid.facemap.faces}
+        for face in outcome.validation.faces:
+            for region in face.regions[:1]:
+                faces.setdefault(region, []).append(face.name)
+                bodies.setdefault(region, solids[face.name])
+    return feature_table(outcome.partition, faces, bodies=bodies)

@@ -6,9 +6,8 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
-from gpswb.core.invariance import DIMENSION
 from gpswb.errors import InputError
-from gpswb.gps.datum_system import Datum, DatumSystem, datum_system, part_situation
+from gpswb.gps.datum_system import Datum, DatumSystem, datum_system, needed_degrees
 from gpswb.gps.feature_table import FeatureTable
 from gpswb.gps.gps_feature import GpsFeature
 from gpswb.gps.on_faces import chosen_features
@@ -69,14 +68,22 @@ def annotate(
         system = datum_system(own, table.frame)
     elif system is not None:
         letters = {datum.name: datum.features for datum in system.datums}
-    whole = part_situation(table.features, table.frame) if table.integral else None
     return Annotation(
         table=table,
         letters=letters,
         given=bool(datums),
         system=system,
-        needed=6 - DIMENSION[whole.invariance_class] if whole else 0,
+        needed=_needed(system, table),
         suggestions=suggestions,
         permitted={f.id: permitted_specifications(f, system) for f in table.features},
         specified=specify(rows, table, letters),
     )
+
+
+def _needed(system: DatumSystem | None, table: FeatureTable) -> int:
+    """Degrees that the bodies with datums let any system lock."""
+    if system is None:
+        return 0
+    bodies = {feature.body for datum in system.datums for feature in datum.features}
+    own = [f for f in table.integral if f.body in bodies]
+    return needed_degrees(own or table.integral, table.frame)

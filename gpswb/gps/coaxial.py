@@ -23,13 +23,15 @@ def coaxial_features(
     """Groups of two or more holes, shafts, cones and threads on one axis; stepped and sunk holes.
 
     A counterbore is a hole with a wider one at its end; a countersink has a cone that opens from
-    the hole's own diameter (a drill's point closes from it). A group that is nothing more isn't
-    repeated.
+    the hole's own diameter. The cone that a drill leaves at the bottom closes from it, and belongs
+    to no group. A group that is nothing more than a sunk hole isn't repeated.
     """
     round_ = [f for f in features if f.surface == "helicoid" or (f.size and f.place.has_axis)]
     found: list[tuple[Kind, list[GpsFeature]]] = []
-    for group in coaxial_groups(round_, frame, tolerances):
-        sunk = _sunk_holes(group, tolerances.distance * frame.length * 10)
+    near = tolerances.distance * frame.length * 10
+    for whole in coaxial_groups(round_, frame, tolerances):
+        group = [f for f in whole if not _drill_point(f, whole, near)]
+        sunk = _sunk_holes(group, near)
         if len(group) > 1 and not any(len(members) == len(group) for _, members in sunk):
             found.append(("coaxial group", group))
         found += sunk
@@ -52,6 +54,8 @@ def coaxial_groups(
         d = np.array(feature.place.direction)
         for group in groups:
             axis = group[0].place
+            if feature.body != group[0].body:
+                continue
             if np.linalg.norm(np.cross(d, axis.direction)) > np.sin(tolerances.angle):
                 continue
             step = np.subtract(feature.place.point, axis.point)
@@ -68,6 +72,21 @@ def axial_interval(feature: GpsFeature, group: GpsFeature) -> tuple[float, float
     """From where to where (mm) a feature reaches along the axis of ``group``."""
     z = (feature.points - group.place.point) @ np.array(group.place.direction)
     return float(z.min()), float(z.max())
+
+
+def _drill_point(cone: GpsFeature, group: list[GpsFeature], near: float) -> bool:
+    """Whether a cone closes to a point from the end of a hole of the group."""
+    if cone.surface != "cone" or cone.material != "internal" or not len(cone.points):
+        return False
+    rho, _ = cylindrical_coordinates(
+        cone.points, np.array(cone.place.point), np.array(cone.place.direction)
+    )
+    return bool(rho.min() <= near) and any(
+        f.surface == "cylinder"
+        and f.material == "internal"
+        and abs(rho.max() - f.intrinsic["radius"]) <= near
+        for f in group
+    )
 
 
 def _sunk_holes(group: list[GpsFeature], near: float) -> list[tuple[Kind, list[GpsFeature]]]:

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from gpswb.core.invariance import DIMENSION
 from gpswb.core.mesh import FloatArray
 from gpswb.errors import InputError
 from gpswb.gps.gps_feature import GpsFeature
@@ -176,6 +177,13 @@ def part_situation(
     sure = [f for f in known if f.sure and f.area >= least] or known
     places = [as_datum(s) for feature in sure for s in feature.situations]
     return invariance_of_union(places, frame, tolerances)
+
+
+def needed_degrees(
+    features: Iterable[GpsFeature], frame: Frame, tolerances: Tolerances = DEFAULT
+) -> int:
+    """Degrees of freedom that any datum system can lock of the part with these features."""
+    return 6 - DIMENSION[part_situation(features, frame, tolerances).invariance_class]
 
 
 _DATUM = re.compile(r"([A-Z]{1,3}(?:-[A-Z]{1,3})*)(><)?")

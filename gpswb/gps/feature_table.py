@@ -36,16 +36,18 @@ def feature_table(
     partition: Partition,
     faces: Mapping[int, Sequence[str]] | None = None,
     tolerances: Tolerances = DEFAULT,
+    bodies: Mapping[int, int] | None = None,
 ) -> FeatureTable:
     """Features of a partition.
 
     Args:
         partition: mesh in mm, oriented outwards.
         faces: names of the B-rep faces of each region id.
+        bodies: number of the solid of each region id; all are of one where it isn't given.
 
     Raises:
         InputError: a region lacks what its class needs, or the part has no extent.
     """
     frame = Frame.around(partition.mesh.vertices)
-    integral = maximal_features(partition, faces, tolerances)
+    integral = maximal_features(partition, faces, tolerances, bodies)
     return FeatureTable((*integral, *compound_features(integral, frame, tolerances)), frame)

@@ -32,8 +32,9 @@ _SIZES = {"cylinder": ("radius",), "sphere": ("radius",), "torus": ("major_radiu
 class _Patch:
     """The regions gathered so far on one surface; the largest came first."""
 
-    def __init__(self, region: Region, facets: IntArray, mesh: Mesh) -> None:
+    def __init__(self, region: Region, facets: IntArray, mesh: Mesh, body: int) -> None:
         self.region = region
+        self.body = body
         self.regions = [region]
         self.facets = [facets]
         self.vertices = [np.unique(mesh.triangles[facets])]
@@ -46,8 +47,12 @@ class _Patch:
         return self.mesh.vertices[np.unique(np.concatenate(self.vertices))]
 
     def continues(self, other: _Patch, length: float, tolerances: Tolerances) -> bool:
-        """Whether ``other`` lies on this surface, with the material on the same side."""
-        if self.material != other.material or float(self.normal @ other.normal) < 0.0:
+        """Whether ``other`` lies on this surface of this body, the material on the same side."""
+        if (
+            self.body != other.body
+            or self.material != other.material
+            or float(self.normal @ other.normal) < 0.0
+        ):
             return False
         vertices = self.mesh.vertices
         own, points = vertices[self.vertices[0]], vertices[other.vertices[0]]
@@ -74,6 +79,7 @@ def maximal_features(
     partition: Partition,
     faces: Mapping[int, Sequence[str]] | None = None,
     tolerances: Tolerances = DEFAULT,
+    bodies: Mapping[int, int] | None = None,
 ) -> tuple[GpsFeature, ...]:
     """Unite regions on one surface, with the material on one side, to maximal integral features.
 
@@ -83,6 +89,7 @@ def maximal_features(
     Args:
         partition: its mesh in mm, oriented outwards (that tells a hole from a shaft).
         faces: names of the B-rep faces of each region id; a name given twice stays with the larger.
+        bodies: number of the solid of each region id; all are of one where it isn't given.
 
     Returns:
         By falling area, ids counting from 0.
@@ -98,7 +105,7 @@ def maximal_features(
         facets = order[ends[index] : ends[index + 1]]
         if len(facets):
             _check(region)
-            patches.append(_Patch(region, facets, mesh))
+            patches.append(_Patch(region, facets, mesh, (bodies or {}).get(region.id, 0)))
     patches.sort(key=lambda patch: -patch.region.area)
     united: list[_Patch] = []
     for patch in patches:
@@ -164,7 +171,7 @@ def arc_covered(points: FloatArray, point: list[float], direction: list[float]) 
 
 
 def _size(patch: _Patch, area: float, tolerances: Tolerances) -> tuple[Size | None, str]:
-    """Size and derived feature (ISO 14405-1, 22432); a fillet has an axis but no size."""
+    """Size and derived feature (ISO 14405-1, 22432); a corner's radius has an axis but no size."""
     region = patch.region
     if region.surface == "sphere":
         radius = region.intrinsic["radius"]
@@ -193,8 +200,8 @@ def _feature(
     area = sum(r.area for r in patch.regions)
     size, derived = _size(patch, area, tolerances)
     word = {
-        ("cylinder", "internal"): "Hole" if size else "Concave fillet",
-        ("cylinder", "external"): "Shaft" if size else "Convex fillet",
+        ("cylinder", "internal"): "Hole" if size else "Concave radius",
+        ("cylinder", "external"): "Shaft" if size else "Convex radius",
     }.get((region.surface, patch.material), region.surface.capitalize())
     counts[word] += 1
     return GpsFeature(
@@ -215,7 +222,9 @@ def _feature(
         interrupted=patch.interrupted,
         # Few facets leave everything open; but a flat region is a plane, not a piece of a sphere.
         sure=not region.undecided or region.surface == "plane",
+        body=patch.body,
         points=points,
+        facets=patch.mesh.vertices[patch.mesh.triangles[np.concatenate(patch.facets)]],
     )
 
 

@@ -64,7 +64,9 @@ class GpsFeature:
         regions: ids of its regions.
         faces: names of its B-rep faces.
         area: mm².
+        body: number of the solid that it belongs to; features of several are never taken as one.
         points: (k, 3) vertices of it, mm, for extents.
+        facets: (f, 3, 3) corners of its facets, mm, for overlaps; none for a compound.
     """
 
     id: int
@@ -85,7 +87,9 @@ class GpsFeature:
     interrupted: bool = False
     sure: bool = True
     members: tuple[int, ...] = ()
+    body: int = 0
     points: FloatArray = field(default_factory=lambda: np.zeros((0, 3)))
+    facets: FloatArray = field(default_factory=lambda: np.zeros((0, 3, 3)))
 
     @property
     def place(self) -> SituationFeature:
@@ -132,4 +136,5 @@ def group_of(
         arrangement=arrangement,
         sure=all(member.sure for member in members),
         members=tuple(member.id for member in members),
+        body=members[0].body,
     )

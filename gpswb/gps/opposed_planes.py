@@ -8,13 +8,15 @@ from dataclasses import replace
 
 import numpy as np
 
-from gpswb.core.mesh import FloatArray
+from gpswb.gps.facing import faced_first
 from gpswb.gps.gps_feature import GpsFeature, Size, group_of
 from gpswb.gps.tolerances import DEFAULT, Tolerances
-from gpswb.gps.twists import Frame, SituationFeature, perpendiculars, vector
+from gpswb.gps.twists import Frame, SituationFeature, vector
 
-# Opposed planes have to face each other over this share of the smaller one.
-_OVERLAP = 0.5
+# One of the planes has to face the other over half of itself ...
+_MOST = 0.5
+# ... and the other over a tenth: a detail on a large face gives a distance, not a size.
+_LEAST = 0.1
 
 
 def opposed_planes(
@@ -23,63 +25,48 @@ def opposed_planes(
     first_id: int,
     tolerances: Tolerances = DEFAULT,
 ) -> list[GpsFeature]:
-    """Pairs of parallel planes with opposite outward normals that face each other.
+    """Pairs of parallel planes of one body with opposite outward normals that face each other.
 
-    With air between them they are a slot, with material between them a rib. A plane is paired with
-    the nearest that it faces, so a wall isn't paired through the next slot.
+    With air between them they are a slot, with material between them a rib. Each place of a plane
+    faces the nearest opposed one only, so a wall isn't paired through the next slot.
 
     Args:
         features: maximal integral features; those of ids ``first_id`` and on are returned.
         frame: of the part.
     """
-    planes = [f for f in features if f.surface == "plane" and len(f.points)]
-    pairs: dict[tuple[int, int], tuple[GpsFeature, GpsFeature, float]] = {}
-    for one in planes:
-        normal = np.array(one.place.direction)
-        nearest: dict[bool, tuple[float, GpsFeature]] = {}
-        for other in planes:
-            if float(normal @ other.place.direction) > -np.cos(tolerances.angle):
-                continue
-            step = float(normal @ np.subtract(other.place.point, one.place.point))
-            gap = abs(step)
-            inside = step > 0
-            if gap <= tolerances.distance * frame.length:
-                continue
-            if inside in nearest and nearest[inside][0] <= gap:
-                continue
-            if _overlap(one.points, other.points, normal) >= _OVERLAP:
-                nearest[inside] = (gap, other)
-        for inside, (gap, other) in nearest.items():
-            first, second = sorted((one, other), key=lambda f: f.id)
-            pairs[first.id, second.id] = (first, second, gap if inside else -gap)
-    found = sorted(pairs.values(), key=lambda pair: -(pair[0].area + pair[1].area))
+    planes = [f for f in features if f.surface == "plane" and len(f.facets)]
+    near = tolerances.distance * frame.length
+    shares: dict[tuple[int, int, bool], tuple[float, float]] = {}
+    for plane in planes:
+        normal = np.array(plane.place.direction)
+        opposed = [
+            other
+            for other in planes
+            if other.body == plane.body
+            and float(normal @ other.place.direction) <= -np.cos(tolerances.angle)
+        ]
+        for (id_, outside), met in faced_first(plane, opposed, near).items():
+            shares[plane.id, id_, outside] = met
+    by_id = {plane.id: plane for plane in planes}
+    found = []
+    for (one, other, outside), (share, gap) in shares.items():
+        back = shares.get((other, one, outside), (0.0, gap))[0]
+        if one < other and max(share, back) >= _MOST and min(share, back) >= _LEAST:
+            found.append((by_id[one], by_id[other], gap, outside))
+    found.sort(key=lambda pair: -(pair[0].area + pair[1].area))
     counts = {"slot": 0, "rib": 0}
     compounds: list[GpsFeature] = []
-    for first, second, gap in found:
-        kind = "slot" if gap > 0 else "rib"
+    for first, second, gap, slot in found:
+        kind = "slot" if slot else "rib"
         counts[kind] += 1
-        compounds.append(_compound(first, second, gap, first_id + len(compounds), counts[kind]))
+        id_ = first_id + len(compounds)
+        compounds.append(_compound(first, second, gap, id_, counts[kind], slot=slot))
     return compounds
 
 
-def _overlap(a: FloatArray, b: FloatArray, normal: FloatArray) -> float:
-    """Share of the smaller's box that two plane patches have in common, seen along the normal."""
-    u, w = perpendiculars(normal)
-    flat = a @ np.column_stack([u, w])
-    # Boxes along the first patch's own sides, or an oblique slot would seem to be far wider.
-    turn = np.linalg.svd(flat - flat.mean(axis=0), full_matrices=False)[2]
-    flat, other = flat @ turn.T, b @ np.column_stack([u, w]) @ turn.T
-    low = np.maximum(flat.min(axis=0), other.min(axis=0))
-    high = np.minimum(flat.max(axis=0), other.max(axis=0))
-    smaller = min(float(np.prod(np.ptp(flat, axis=0))), float(np.prod(np.ptp(other, axis=0))))
-    common = float(np.prod(np.clip(high - low, 0.0, None)))
-    return common / smaller if smaller > 0 else 0.0
-
-
 def _compound(
-    first: GpsFeature, second: GpsFeature, gap: float, id_: int, number: int
+    first: GpsFeature, second: GpsFeature, width: float, id_: int, number: int, *, slot: bool
 ) -> GpsFeature:
-    slot = gap > 0
     normal = first.place.direction
     middle = vector(np.mean([first.place.point, second.place.point], axis=0))
     feature = group_of(
@@ -90,8 +77,8 @@ def _compound(
         invariance_class="planar",
         situations=(SituationFeature("planar", middle, normal),),
         situation={"point": list(middle), "normal": list(normal)},
-        intrinsic={"width": abs(gap)},
-        size=Size("width", abs(gap)),
+        intrinsic={"width": width},
+        size=Size("width", width),
         derived="median plane",
     )
     return replace(feature, material="internal" if slot else "external")

@@ -61,7 +61,9 @@ def hole_patterns(
 
 
 def _alike(one: GpsFeature, other: GpsFeature, tolerances: Tolerances) -> bool:
-    if one.material != other.material or one.size is None or other.size is None:
+    if (one.body, one.material) != (other.body, other.material):
+        return False
+    if one.size is None or other.size is None:
         return False
     if abs(one.size.value - other.size.value) > tolerances.size * other.size.value:
         return False

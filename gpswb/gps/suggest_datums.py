@@ -6,8 +6,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from gpswb.core.invariance import DIMENSION
-from gpswb.gps.datum_system import Datum, DatumSystem, datum_system, part_situation
+from gpswb.gps.datum_system import Datum, DatumSystem, datum_system, needed_degrees
 from gpswb.gps.gps_feature import GpsFeature
 from gpswb.gps.tolerances import DEFAULT, Tolerances
 from gpswb.gps.twists import Frame
@@ -39,7 +38,8 @@ def suggest_datums(
     Letter after letter takes the feature that scores most: its area times the degrees of freedom
     it adds, times how well its kind stands on a fixture or gauge. So a plate gets planes 3+2+1, a
     flange its face, bore and a hole, a shaft its longest bearing and a shoulder, which stops at 5.
-    No letter is without gain.
+    No letter is without gain. Of several bodies the one with the largest surface gets the datums:
+    a datum system belongs to one workpiece.
 
     Args:
         features: integral features and compounds of the part.
@@ -50,9 +50,15 @@ def suggest_datums(
         that isn't possible one of its others.
     """
     candidates = [f for f in features if f.kind in ("integral", "slot", "rib") and f.sure]
-    if not any(f.kind == "integral" for f in candidates):
+    areas: dict[int, float] = {}
+    for feature in candidates:
+        if feature.kind == "integral":
+            areas[feature.body] = areas.get(feature.body, 0.0) + feature.area
+    if not areas:
         return ()
-    needed = 6 - DIMENSION[part_situation(candidates, frame, tolerances).invariance_class]
+    body = max(areas, key=lambda number: areas[number])
+    candidates = [f for f in candidates if f.body == body]
+    needed = needed_degrees(candidates, frame, tolerances)
     best = _greedy(candidates, needed, frame, tolerances)
     suggestions = [Suggestion(best, needed)]
     for datum in best.datums:

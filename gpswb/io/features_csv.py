@@ -28,6 +28,7 @@ FEATURES = (
     "members",
     "datum",
     "sure",
+    "body",
 )
 PERMITTED = (
     "feature",
@@ -107,6 +108,7 @@ def _feature(feature: GpsFeature, letter: str) -> Sequence[object]:
         " ".join(map(str, feature.members)),
         letter,
         "yes" if feature.sure else "no",
+        feature.body,
     )
 
 

@@ -85,6 +85,7 @@ def _feature(feature: GpsFeature) -> dict[str, Any]:
         "regions": list(feature.regions),
         "faces": list(feature.faces),
         "area": _finite(feature.area),
+        "body": feature.body,
     }
 
 
