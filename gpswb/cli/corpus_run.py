@@ -3,17 +3,17 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Sequence
 from pathlib import Path
 
-from gpswb.batch.isolated import Job, Limits, run_jobs
+from gpswb.batch.isolated import End, Job, Limits
+from gpswb.batch.local import run_local
 from gpswb.batch.settings import Settings
+from gpswb.batch.source import CAD, find_parts, unique_name
 from gpswb.cli.progress import count_bar
 from gpswb.errors import InputError
 from gpswb.validation.corpus import PartRow
-
-SUFFIXES = (".step", ".stp", ".p21", ".brep", ".brp", ".rle", ".fcstd")
-"""Endings, in lower case, of the files that are taken from a directory."""
 
 
 def examine_all(
@@ -24,21 +24,25 @@ def examine_all(
     Returns:
         Rows in the order of the files. The largest files start first: none is left over at the end.
     """
-    jobs = []
     taken: set[str] = set()
-    for path in files:
-        name, n = path.name, 2
-        while name.lower() in taken:
-            name, n = f"{path.name} ({n})", n + 1
-        taken.add(name.lower())
-        jobs.append(Job(path, name, draft / "parts" / name))
+    names = [unique_name(path.name, taken) for path in files]
+    jobs = [
+        Job(str(path), name, draft / "parts" / name)
+        for path, name in zip(files, names, strict=True)
+    ]
     rows: dict[Job, PartRow] = {}
-    large_first = sorted(jobs, key=lambda job: -job.path.stat().st_size)
+    large_first = sorted(jobs, key=lambda job: -Path(job.url).stat().st_size)
     with count_bar(len(jobs), "part") as step:
-        for job, row in run_jobs(large_first, settings, limits, parallel):
-            rows[job] = row
+        for job, end in run_local(large_first, settings, limits, parallel):
+            rows[job] = _row(job, end)
             step(job.name)
     return [rows[job] for job in jobs]
+
+
+def _row(job: Job, end: End) -> PartRow:
+    result = job.directory / "result.json"
+    document = json.loads(result.read_text("utf-8")) if end.status == "done" else {}
+    return PartRow(job.name, end.status, end.message, document, end.seconds)
 
 
 def collect(paths: Sequence[Path]) -> list[Path]:
@@ -50,11 +54,7 @@ def collect(paths: Sequence[Path]) -> list[Path]:
     files: list[Path] = []
     for path in paths:
         if path.is_dir():
-            try:
-                inside = sorted(p for p in path.rglob("*") if p.suffix.lower() in SUFFIXES)
-            except OSError as error:
-                raise InputError(f"can't read {path}: {error.strerror or error}") from error
-            files += [p for p in inside if p.is_file()]
+            files += [Path(part.url) for part in find_parts(str(path), CAD)]
         elif path.is_file():
             files.append(path)
         else:

@@ -38,13 +38,16 @@ def stage_bar() -> Iterator[Callable[[str, float], None] | None]:
 
 
 @contextmanager
-def count_bar(total: int, unit: str) -> Iterator[Callable[[str], None]]:
-    """Yield a callback that counts one more thing done, named by its argument."""
+def count_bar(total: int, unit: str, done: int = 0) -> Iterator[Callable[[str], None]]:
+    """Yield a callback that counts one more thing done, named by its argument.
+
+    ``done`` of them are done already: they don't count in the rate.
+    """
     tqdm = _tqdm()
     if tqdm is None:
         yield lambda _name: None
         return
-    with tqdm(total=total, unit=unit, leave=False, file=sys.stderr) as bar:
+    with tqdm(total=total, initial=done, unit=unit, leave=False, file=sys.stderr) as bar:
 
         def step(name: str) -> None:
             bar.set_postfix_str(name, refresh=False)

@@ -25,6 +25,9 @@ from gpswb.cli.main import main
         ["partition", "a.step", "--out", "x", "--noise", "nan"],
         ["validate", "--out", "x"],
         ["validate", "a", "--out", "x", "--jobs", "0"],
+        ["batch", "a"],
+        ["batch", "a", "--out", "x", "--shard", "0/3"],
+        ["batch", "a", "--out", "x", "--shard", "4/3"],
         ["sweep", "a.step"],
         ["sweep", "a.step", "--densities", "coarse,,fine"],
     ],
@@ -35,7 +38,7 @@ def test_wrong_usage_is_2(words: list[str], capsys: pytest.CaptureFixture[str]) 
 
 
 def test_help_and_version_are_0(capsys: pytest.CaptureFixture[str]) -> None:
-    for verb in ("partition", "validate", "sweep"):
+    for verb in ("partition", "validate", "sweep", "batch"):
         assert main([verb, "--help"]) == 0
         assert verb in capsys.readouterr().out
     assert main(["--version"]) == 0
@@ -45,7 +48,8 @@ def test_help_and_version_are_0(capsys: pytest.CaptureFixture[str]) -> None:
 def test_help_needs_nothing_heavy() -> None:
     script = (
         "import sys; from gpswb.cli.main import main; main(['--help']);"
-        "print(sorted({'numpy', 'scipy', 'OCP', 'matplotlib', 'tqdm'} & set(sys.modules)))"
+        "print(sorted({'numpy', 'scipy', 'OCP', 'matplotlib', 'tqdm', 'dask', 'fsspec', 'pyarrow'}"
+        "& set(sys.modules)))"
     )
     done = subprocess.run(
         [sys.executable, "-c", script], capture_output=True, text=True, check=True

@@ -15,7 +15,7 @@ import pytest
 ROOT = Path(__file__).resolve().parents[2]
 PASSED = ROOT / "build" / "freecad" / "passed"
 # These use packages from pip; all else must also run on Debian's own, older numpy and scipy.
-NEED_PIP = {"cli", "report"}
+NEED_PIP = {"batch", "cli", "report"}
 
 os.chdir(ROOT)
 sys.path.insert(0, str(ROOT))

@@ -1,0 +1,97 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""``gpswb batch``: many parts, a process each, resumable, here or on a cluster; a table."""
+
+from __future__ import annotations
+
+import argparse
+import re
+from collections import Counter
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from gpswb.batch.messages import one_line
+from gpswb.batch.settings import Settings
+from gpswb.cli.options import add_corpus_options, add_density_option, add_pipeline_options
+from gpswb.errors import InputError
+
+if TYPE_CHECKING:
+    from gpswb.batch.run import Summary
+
+NAMED = 20
+"""Parts without a result that are named on the terminal; the table has all of them."""
+
+
+def register(verbs: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+    """Add the verb to the command's parser."""
+    parser = verbs.add_parser(
+        "batch",
+        help="partition many parts, resumably, on one machine or many; a table",
+        description="Take every part and mesh below DIR, a directory or a URL (s3://..., "
+        "zip://::parts.zip). The same command again goes on where a run was ended.",
+    )
+    parser.add_argument("directory", metavar="DIR")
+    parser.add_argument("--out", type=Path, required=True, metavar="DIR")
+    add_density_option(parser)
+    add_pipeline_options(parser)
+    add_corpus_options(parser)
+    parser.add_argument(
+        "--shard", type=shard, default=(1, 1), metavar="I/N", help="do the I-th of N shares only"
+    )
+    parser.add_argument(
+        "--retry", action="store_true", help="do parts again that crashed or met a limit"
+    )
+    parser.set_defaults(run=run)
+
+
+def shard(text: str) -> tuple[int, int]:
+    """Argparse type of ``I/N``."""
+    match = re.fullmatch(r"([0-9]{1,6})/([0-9]{1,6})", text)
+    if not match or not 1 <= int(match[1]) <= int(match[2]):
+        raise argparse.ArgumentTypeError(f"{text!r} is not I/N with 1 <= I <= N")
+    return int(match[1]), int(match[2])
+
+
+def run(args: argparse.Namespace) -> int:
+    """Do it; the exit code."""
+    from gpswb.batch.isolated import Limits
+    from gpswb.batch.local import run_local
+    from gpswb.batch.run import Shard, run_batch
+    from gpswb.batch.source import CAD, find_parts, is_url
+    from gpswb.cli.progress import count_bar
+    from gpswb.io.mesh_file import SUFFIXES
+
+    settings = Settings(args.density, args.mode, args.method, args.kernel)
+    limits = Limits(args.time_limit, int(args.memory_limit * 1e9))
+    # Absolute, because a worker may have another current directory.
+    where = args.directory if is_url(args.directory) else str(Path(args.directory).absolute())
+    suffixes = (*CAD, *SUFFIXES)
+    parts = find_parts(where, suffixes)
+    if not parts:
+        raise InputError(f"no part or mesh in {args.directory}; taken are {', '.join(suffixes)}")
+    summary = run_batch(
+        parts,
+        args.out,
+        settings,
+        lambda jobs: run_local(jobs, settings, limits, args.jobs),
+        Shard(*args.shard),
+        args.retry,
+        lambda total, done: count_bar(total, "part", done),
+    )
+    for line in lines(summary, len(parts)):
+        print(line)
+    print("wrote " + " ".join(str(args.out / name) for name in (*summary.files, "parts")))
+    return 0
+
+
+def lines(summary: Summary, parts: int) -> list[str]:
+    """What is printed: parts without a result, how many ended how."""
+    lacking = [row for row in summary.rows if row["status"] != "done"]
+    said = [f"{r['part']}: {r['status']}: {r['message']}" for r in lacking[:NAMED]]
+    if len(lacking) > NAMED:
+        said.append(f"... and {len(lacking) - NAMED} more without a result")
+    if summary.damaged:
+        said.append(f"{summary.damaged} damaged lines in the record: their parts were done again")
+    ends = Counter(row["status"] for row in summary.rows)
+    counts = ", ".join(f"{n} {status}" for status, n in ends.most_common())
+    said.append(f"{len(summary.rows)} of {parts} parts: {counts}")
+    return [one_line(line) for line in said]
