@@ -3,8 +3,6 @@
 
 from __future__ import annotations
 
-import hashlib
-import time
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -12,12 +10,14 @@ from pathlib import Path
 import numpy as np
 
 from gpswb.batch.settings import Settings
+from gpswb.cad.fcstd import holds_shape
 from gpswb.cad.read import read_solid
 from gpswb.cad.solid import Solid
 from gpswb.core.mesh import Mesh
 from gpswb.core.partition import Partition
 from gpswb.core.pipeline import partition
-from gpswb.io.mesh_file import SUFFIXES, read_mesh
+from gpswb.errors import InputError
+from gpswb.io.measured_file import SUFFIXES, read_measured
 from gpswb.validation.validate import Validation, validate
 
 Progress = Callable[[str, float], None]
@@ -57,26 +57,19 @@ def examine(path: Path, settings: Settings, progress: Progress | None = None) ->
 
 
 def read_any(path: Path, settings: Settings, progress: Progress | None = None) -> Solid:
-    """Read a CAD file by its kernel, or a mesh file as it stands.
+    """Read a CAD file by its kernel, or what was measured.
+
+    A FreeCAD document with a shape is a CAD file, whatever else is in it.
 
     Raises:
-        GpswbError: the file can't be read, or holds no triangles.
+        GpswbError: the file can't be read, or holds nothing to partition.
     """
-    if path.suffix.lower() not in SUFFIXES:
-        return read_solid(path, settings.density, settings.kernel, progress)
-    start = time.perf_counter()
-    mesh = read_mesh(path)
-    return Solid(
-        mesh=mesh,
-        facemap=None,
-        source=str(path),
-        unit="mm",
-        density="as read",
-        mesher="none",
-        notes=("a mesh file names no unit: its coordinates are taken as mm",),
-        sha256=hashlib.sha256(path.read_bytes()).hexdigest(),
-        timings={"read": time.perf_counter() - start, "tessellate": 0.0},
-    )
+    suffix = path.suffix.lower()
+    if suffix in SUFFIXES or (suffix == ".fcstd" and not holds_shape(path)):
+        return read_measured(path, settings.unit)
+    if settings.unit is not None:
+        raise InputError(f"{path} states its unit itself: --unit is for meshes and point clouds")
+    return read_solid(path, settings.density, settings.kernel, progress)
 
 
 def add_noise(solid: Solid, fraction: float) -> Solid:

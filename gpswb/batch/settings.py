@@ -22,6 +22,7 @@ class Settings:
 
     ``noise`` is the σ (mm) told to the pipeline, None to let it estimate; ``noise_added`` the
     displacement given to the vertices before, as a fraction of the diagonal, which it isn't told.
+    ``unit`` is that of a measured file, None for the one it states, or mm.
     """
 
     density: Density
@@ -30,6 +31,7 @@ class Settings:
     kernel: Kernel
     noise: float | None = None
     noise_added: float = 0.0
+    unit: str | None = None
 
     def plain(self) -> dict[str, Any]:
         """As values that JSON can hold; the density in the command line's words."""

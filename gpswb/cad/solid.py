@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What a kernel delivers: tessellated shapes whose triangles know their B-rep face."""
+"""What is partitioned: tessellated shapes whose triangles know their B-rep face, measured parts."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from gpswb.core.invariance import InvarianceClass
-from gpswb.core.mesh import IntArray, Mesh
+from gpswb.core.mesh import FloatArray, IntArray, Mesh
 
 
 @dataclass(frozen=True)
@@ -70,8 +70,26 @@ class FaceMap:
 
 
 @dataclass(frozen=True, eq=False)
+class PointMap:
+    """Where each point of a measured cloud went.
+
+    Args:
+        points: (n, 3) as read, mm; may hold points that are not finite.
+        vertex_of_point: (n,) int64 the vertex of the mesh that stands for it; -1 for points set
+            aside.
+    """
+
+    points: FloatArray
+    vertex_of_point: IntArray
+
+    def __post_init__(self) -> None:
+        if len(self.points) != len(self.vertex_of_point):
+            raise ValueError(f"{len(self.vertex_of_point)} vertices for {len(self.points)} points")
+
+
+@dataclass(frozen=True, eq=False)
 class Solid:
-    """A tessellated shape with everything that is known of where it came from.
+    """A tessellated shape or a measured part with everything that is known of where it came from.
 
     Args:
         mesh: the welded mesh of the whole shape, mm.
@@ -83,6 +101,7 @@ class Solid:
         notes: what the user should know (a face without triangles, a fallback, a skipped face).
         sha256: of the input file.
         timings: seconds for ``read`` and ``tessellate``.
+        pointmap: provenance of the vertices; None unless the input is a point cloud.
     """
 
     mesh: Mesh
@@ -94,3 +113,4 @@ class Solid:
     notes: tuple[str, ...]
     sha256: str
     timings: Mapping[str, float]
+    pointmap: PointMap | None = None

@@ -9,6 +9,7 @@ from typing import get_args
 
 from gpswb.batch.settings import Kernel
 from gpswb.cad.density import FORMS, Density
+from gpswb.io.length_units import MILLIMETRES
 
 MODES = ("robust", "corrected", "paper")
 METHODS = ("hybrid", "curvature", "slippage")
@@ -27,6 +28,15 @@ def add_density_option(parser: argparse.ArgumentParser) -> None:
     """Add ``--density``."""
     parser.add_argument(
         "--density", type=density, default=Density("auto"), help=f"{FORMS}; default: %(default)s"
+    )
+
+
+def add_unit_option(parser: argparse.ArgumentParser) -> None:
+    """Add ``--unit``."""
+    parser.add_argument(
+        "--unit",
+        choices=tuple(MILLIMETRES),
+        help="of a mesh or point cloud that names none; default: mm",
     )
 
 

@@ -9,7 +9,12 @@ from typing import TYPE_CHECKING
 
 from gpswb.batch.settings import Settings
 from gpswb.cli.guard import guarded
-from gpswb.cli.options import add_density_option, add_pipeline_options, non_negative
+from gpswb.cli.options import (
+    add_density_option,
+    add_pipeline_options,
+    add_unit_option,
+    non_negative,
+)
 from gpswb.io.whole import whole_directory
 
 if TYPE_CHECKING:
@@ -24,12 +29,14 @@ def register(verbs: argparse._SubParsersAction[argparse.ArgumentParser]) -> None
     parser = verbs.add_parser(
         "partition",
         help="partition one part, recognise its regions, validate against CAD",
-        description="INPUT is a part (STEP, BREP, FCStd) or a mesh (STL, PLY, OFF, OBJ).",
+        description="INPUT is a part (STEP, BREP, FCStd), a mesh (STL, PLY, OFF, OBJ, 3MF) or a "
+        "point cloud (XYZ, PTS, ASC, TXT, CSV, PLY).",
     )
     parser.add_argument("input", type=Path, metavar="INPUT")
     parser.add_argument("--out", type=Path, required=True, metavar="DIR")
     add_density_option(parser)
     add_pipeline_options(parser)
+    add_unit_option(parser)
     parser.add_argument(
         "--noise",
         type=non_negative,
@@ -56,7 +63,9 @@ def _work(args: argparse.Namespace, draft: Path) -> tuple[list[str], list[str]]:
     from gpswb.cli.progress import stage_bar
     from gpswb.cli.table import result_lines
 
-    settings = Settings(args.density, args.mode, args.method, args.kernel, noise=args.noise)
+    settings = Settings(
+        args.density, args.mode, args.method, args.kernel, noise=args.noise, unit=args.unit
+    )
     with stage_bar() as progress:
         outcome = examine(args.input, settings, progress)
     names = write_all(draft, outcome, report=not args.no_report)
@@ -73,7 +82,7 @@ def write_all(directory: Path, outcome: Outcome, report: bool) -> list[str]:
     solid, partition, validation = outcome.solid, outcome.partition, outcome.validation
     document = result_document(solid, partition, validation)
     write_result(directory / "result.json", document)
-    write_labels(directory / "labels.npz", partition, solid.facemap)
+    write_labels(directory / "labels.npz", partition, solid.facemap, solid.pointmap)
     write_ply(directory / "mesh.ply", partition)
     names = ["result.json", "labels.npz", "mesh.ply"]
     if validation:

@@ -8,16 +8,24 @@ from typing import Any
 
 import numpy as np
 
-from gpswb.cad.solid import FaceMap
+from gpswb.cad.solid import FaceMap, PointMap
+from gpswb.core.invariance import CLASSES
 from gpswb.core.partition import Partition
+from gpswb.scan.point_regions import region_of_points
 from gpswb.validation.face_result import facet_classes
 
 
-def write_labels(path: Path, partition: Partition, facemap: FaceMap | None) -> None:
+def write_labels(
+    path: Path,
+    partition: Partition,
+    facemap: FaceMap | None,
+    pointmap: PointMap | None = None,
+) -> None:
     """Write ``vertices`` (n, 3), ``triangles`` (m, 3) and ``region``, ``class``, ``face`` (m,).
 
     ``region`` holds region ids, ``class`` indices into ``CLASSES``, ``face`` 0-based face numbers;
-    each −1 for none.
+    each −1 for none. For a point cloud also ``point`` (n, 3), ``point_region`` and
+    ``point_class`` (n,): every point as read, those that were thinned away included.
 
     Raises:
         OSError: the file can't be written.
@@ -32,5 +40,11 @@ def write_labels(path: Path, partition: Partition, facemap: FaceMap | None) -> N
         "class": facet_classes(partition),
         "face": face,
     }
+    if pointmap is not None:
+        index = region_of_points(partition, pointmap.vertex_of_point)
+        classes = [CLASSES.index(region.invariance_class) for region in partition.regions]
+        arrays["point"] = pointmap.points
+        arrays["point_region"] = ids[index]
+        arrays["point_class"] = np.array([*classes, -1], dtype=np.int64)[index]
     with path.open("wb") as file:
         np.savez_compressed(file, **arrays)

@@ -1,58 +1,63 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Reading triangle meshes: STL, PLY, OFF, OBJ. trimesh or FreeCAD parses, we check and weld."""
+"""Parsing triangle meshes: STL, PLY, OFF, OBJ, 3MF. trimesh or FreeCAD parses, we check."""
 
 from __future__ import annotations
 
 import importlib.util
 from collections.abc import Callable
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, BinaryIO
 
 import numpy as np
-import numpy.typing as npt
-from scipy.sparse import coo_array
-from scipy.sparse.csgraph import connected_components
-from scipy.spatial import cKDTree
 
-from gpswb.core.mesh import Mesh
+from gpswb.core.mesh import FloatArray, IntArray, Mesh
 from gpswb.errors import InputError
 
-SUFFIXES = (".stl", ".ply", ".off", ".obj")
-"""Endings, in lower case, that `read_mesh` takes."""
-
-WELD = 2.0**-21
-"""Four units in the last place of single precision, relative to the largest coordinate: what the
-writers of STL round away; corners nearer than this are one."""
+SUFFIXES = (".stl", ".ply", ".off", ".obj", ".3mf")
+"""Endings, in lower case, that `parse_mesh` takes."""
 
 
-def read_mesh(path: Path) -> Mesh:
-    """Read a triangle mesh, coordinates taken as mm, corners at the same place welded.
+@dataclass(frozen=True, eq=False)
+class Parsed:
+    """What a file holds, in its own unit.
 
-    STL has no shared vertices at all and other formats double them along seams.
+    Args:
+        vertices: (n, 3) float64.
+        triangles: (m, 3) int64; none in a PLY that is a point cloud.
+        unit: the unit that the file states; None in formats that state none.
+    """
+
+    vertices: FloatArray
+    triangles: IntArray
+    unit: str | None = None
+
+
+def parse_mesh(path: Path) -> Parsed:
+    """Parse a mesh file.
 
     Raises:
-        InputError: no such file, not a mesh, no triangles, or coordinates that are not finite.
+        InputError: no such file, not a mesh, an index out of range, coordinates not finite.
     """
     parse = _parser()
     try:
         with path.open("rb") as file:
-            vertices, triangles = parse(file, path.suffix.lower()[1:])
+            parsed = parse(file, path.suffix.lower()[1:])
     except OSError as error:
         raise InputError(f"can't read {path}: {error.strerror or error}") from error
+    except InputError:
+        raise
     except Exception as error:  # the parsers raise whatever the bytes make them
         raise InputError(f"{path} is not a readable {path.suffix[1:].upper()} mesh") from error
-    if not len(triangles):
-        raise InputError(f"{path} holds no triangles")
-    try:
-        return weld(Mesh(vertices, triangles))
-    except ValueError as error:
-        raise InputError(f"{path}: {error}") from error
+    if len(parsed.triangles):
+        try:
+            Mesh(parsed.vertices, parsed.triangles)
+        except ValueError as error:
+            raise InputError(f"{path}: {error}") from error
+    return parsed
 
 
-Arrays = tuple[npt.NDArray[np.float64], npt.NDArray[np.int64]]
-
-
-def _parser() -> Callable[[BinaryIO, str], Arrays]:
+def _parser() -> Callable[[BinaryIO, str], Parsed]:
     """The parser that this Python has: trimesh, else FreeCAD's own."""
     for module, parse in (("trimesh", _by_trimesh), ("Mesh", _by_freecad)):
         if importlib.util.find_spec(module):
@@ -60,18 +65,27 @@ def _parser() -> Callable[[BinaryIO, str], Arrays]:
     raise InputError("reading a mesh file needs the Python package trimesh, or FreeCAD")
 
 
-def _by_trimesh(file: BinaryIO, suffix: str) -> Arrays:
+def _by_trimesh(file: BinaryIO, suffix: str) -> Parsed:
     import trimesh
 
     # From an open file, so that an OBJ can't make us open the other files it names.
-    loaded: Any = trimesh.load_mesh(file, file_type=suffix, process=False, skip_materials=True)
-    return (
-        np.array(loaded.vertices, dtype=np.float64).reshape(-1, 3),
-        np.array(loaded.faces, dtype=np.int64).reshape(-1, 3),
-    )
+    scene: Any = trimesh.load_scene(file, file_type=suffix, process=False, skip_materials=True)
+    vertices, triangles = [np.zeros((0, 3))], [np.zeros((0, 3), dtype=np.int64)]
+    count = 0
+    # A 3MF places its objects, and may place one several times.
+    for name in scene.graph.nodes_geometry:
+        transform, geometry = scene.graph[name]
+        shape = scene.geometry[geometry]
+        points = np.array(shape.vertices, dtype=np.float64).reshape(-1, 3)
+        vertices.append(points @ transform[:3, :3].T + transform[:3, 3])
+        faces = np.array(getattr(shape, "faces", []), dtype=np.int64).reshape(-1, 3)
+        triangles.append(faces + count)
+        count += len(points)
+    stated = scene.units if suffix == "3mf" else None
+    return Parsed(np.concatenate(vertices), np.concatenate(triangles), stated)
 
 
-def _by_freecad(file: BinaryIO, _suffix: str) -> Arrays:
+def _by_freecad(file: BinaryIO, suffix: str) -> Parsed:
     import FreeCAD
     import Mesh as FreeCADMesh
 
@@ -80,31 +94,13 @@ def _by_freecad(file: BinaryIO, _suffix: str) -> Arrays:
     # By name: only so does it tell the two kinds of STL apart itself.
     loaded.read(file.name)
     points, facets = loaded.Topology
-    return (
+    if not facets and suffix == "ply":
+        import Points
+
+        cloud = Points.Points()
+        cloud.read(file.name)
+        points = cloud.Points
+    return Parsed(
         np.array([tuple(point) for point in points], dtype=np.float64).reshape(-1, 3),
         np.array(facets, dtype=np.int64).reshape(-1, 3),
     )
-
-
-def weld(mesh: Mesh) -> Mesh:
-    """Unite vertices nearer than ``WELD`` and drop those that no triangle uses.
-
-    Triangles that this folds to a line or a point are dropped as well.
-    """
-    used = mesh.vertices[mesh.triangles.ravel()] + 0.0  # turns -0.0 into 0.0
-    vertices, index = np.unique(used, axis=0, return_inverse=True)
-    index = index.reshape(-1)
-    reach = WELD * float(np.abs(vertices).max(initial=0.0))
-    near = cKDTree(vertices).query_pairs(reach, output_type="ndarray")
-    if len(near):
-        n = len(vertices)
-        graph = coo_array((np.ones(len(near)), (near[:, 0], near[:, 1])), shape=(n, n))
-        count, label = connected_components(graph, directed=False)
-        first = np.full(count, n, dtype=np.int64)
-        np.minimum.at(first, label, np.arange(n))
-        vertices, index = vertices[first], label[index]
-    triangles = index.reshape(-1, 3).astype(np.int64)
-    if len(near):
-        a, b, c = triangles.T
-        triangles = triangles[(a != b) & (b != c) & (c != a)]
-    return Mesh(vertices, triangles)
