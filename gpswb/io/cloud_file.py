@@ -18,7 +18,10 @@ SUFFIXES = (".xyz", ".pts", ".asc", ".txt", ".csv")
 _MARKS = b"[](){},;:="
 _BLANK = bytes.maketrans(_MARKS, b" " * len(_MARKS))
 _NUMBER = rb"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?|nan"
-_POINT = re.compile(rb"\s*(?:" + _NUMBER + rb")(?:\s+(?:" + _NUMBER + rb")){2}(?:\s|$)", re.I)
+_GAP = rb"[ \t]"
+_POINT = re.compile(
+    _GAP + rb"*(?:" + _NUMBER + rb")(?:" + _GAP + rb"+(?:" + _NUMBER + rb")){2}(?:\s|$)", re.I
+)
 _MOST_HEADER = 100
 
 

@@ -44,7 +44,7 @@ def read_measured(path: Path, unit: str | None = None) -> Solid:
             parsed = mesh_file.Parsed(cloud_file.parse_cloud(path), np.zeros((0, 3), np.int64))
         else:
             parsed = mesh_file.parse_mesh(path)
-            if not len(parsed.triangles) and suffix != ".ply":
+            if not len(parsed.triangles) and (suffix != ".ply" or not len(parsed.vertices)):
                 raise InputError(f"{path} holds no triangles")
         own, notes = _unit(path, parsed.unit, unit)
         scaled = Measurement(parsed.vertices * MILLIMETRES[own], parsed.triangles)

@@ -41,14 +41,14 @@ def parse_mesh(path: Path) -> Parsed:
     """
     parse = _parser()
     try:
-        with path.open("rb") as file:
-            parsed = parse(file, path.suffix.lower()[1:])
+        file = path.open("rb")
     except OSError as error:
         raise InputError(f"can't read {path}: {error.strerror or error}") from error
-    except InputError:
-        raise
-    except Exception as error:  # the parsers raise whatever the bytes make them
-        raise InputError(f"{path} is not a readable {path.suffix[1:].upper()} mesh") from error
+    with file:
+        try:
+            parsed = parse(file, path.suffix.lower()[1:])
+        except Exception as error:  # the parsers raise whatever the bytes make them
+            raise InputError(f"{path} is not a readable {path.suffix[1:].upper()} mesh") from error
     if len(parsed.triangles):
         try:
             Mesh(parsed.vertices, parsed.triangles)
@@ -85,7 +85,7 @@ def _by_trimesh(file: BinaryIO, suffix: str) -> Parsed:
     return Parsed(np.concatenate(vertices), np.concatenate(triangles), stated)
 
 
-def _by_freecad(file: BinaryIO, suffix: str) -> Parsed:
+def _by_freecad(file: BinaryIO, _suffix: str) -> Parsed:
     import FreeCAD
     import Mesh as FreeCADMesh
 
@@ -94,12 +94,6 @@ def _by_freecad(file: BinaryIO, suffix: str) -> Parsed:
     # By name: only so does it tell the two kinds of STL apart itself.
     loaded.read(file.name)
     points, facets = loaded.Topology
-    if not facets and suffix == "ply":
-        import Points
-
-        cloud = Points.Points()
-        cloud.read(file.name)
-        points = cloud.Points
     return Parsed(
         np.array([tuple(point) for point in points], dtype=np.float64).reshape(-1, 3),
         np.array(facets, dtype=np.int64).reshape(-1, 3),

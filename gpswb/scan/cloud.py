@@ -89,34 +89,37 @@ def mesh_cloud(points: FloatArray, most: int = MOST_VERTICES) -> MeshedCloud:
             f"{edge:.4g} mm the one nearest to their mean"
         )
     x = distinct[kept]
-    alone = lonely(x)
-    good = np.flatnonzero(~alone)
+    good = np.flatnonzero(~lonely(x))
     triangles = good[_surface(x[good])]
-    speck = _specks(len(x), triangles)
-    triangles = triangles[~speck[triangles[:, 0]]]
+    triangles = triangles[~_specks(len(x), triangles)[triangles[:, 0]]]
     if not len(triangles):
         raise InputError(f"no surface can be laid through {len(distinct)} points")
-    stray = alone | speck
-    if stray.any():
-        lost = int(stray[stands][copy].sum())
-        notes.append(f"{lost} points set aside as outliers: they lie apart from all surfaces")
-    vertex, unlaid = _number(x, triangles, stray)
-    if unlaid:
-        notes.append(f"{unlaid} points are no vertices; each takes the label of the nearest")
     used = np.unique(triangles)
+    vertex = _stand_ins(x, used)
+    lost = int((vertex[stands[copy]] < 0).sum())
+    if lost:
+        notes.append(f"{lost} points set aside as outliers: they lie apart from all surfaces")
+    left = int((vertex >= 0).sum()) - len(used)
+    if left:
+        notes.append(f"{left} points are no vertices; each takes the label of the nearest")
     mesh, _, _ = orient(Mesh(x[used], vertex[triangles]))
     return MeshedCloud(mesh, vertex[stands[copy]], (*notes, *topology_notes(mesh)))
 
 
 def _surface(x: FloatArray) -> IntArray:
     """(m, 3) triangles of a surface through the points."""
-    k = min(NEIGHBOURS, len(x) - 1)
-    if k < 2:
+    if len(x) < LEAST_POINTS:
         return np.zeros((0, 3), dtype=np.int64)
-    local = cKDTree(x).query(x, k=k + 1)[0][:, -1]
+    local = _spacing(x)
     spheres = empty_spheres(x, float(np.median(local)))
     near = spheres.radius <= BRIDGE * local[spheres.triangles].max(axis=1)
     return advance(x, EmptySpheres(spheres.triangles[near], spheres.radius[near]))
+
+
+def _spacing(x: FloatArray) -> FloatArray:
+    """(k,) distance of each point to its sixth neighbour, or to the last there is; mm."""
+    near: FloatArray = cKDTree(x).query(x, k=min(NEIGHBOURS + 1, len(x)))[0][:, -1]
+    return near
 
 
 def _specks(n: int, triangles: IntArray) -> BoolArray:
@@ -131,12 +134,14 @@ def _specks(n: int, triangles: IntArray) -> BoolArray:
     return np.asarray(used & small[part])
 
 
-def _number(x: FloatArray, triangles: IntArray, stray: BoolArray) -> tuple[IntArray, int]:
-    """(k,) the vertex of each kept point, -1 for strays; how many took the nearest vertex."""
-    used = np.unique(triangles)
+def _stand_ins(x: FloatArray, used: IntArray) -> IntArray:
+    """(k,) the vertex of each point: its own, the nearest if that is near, or -1: a stray."""
     vertex = np.full(len(x), -1, dtype=np.int64)
     vertex[used] = np.arange(len(used))
-    left = np.flatnonzero((vertex < 0) & ~stray)
+    left = np.flatnonzero(vertex < 0)
     if len(left):
-        vertex[left] = cKDTree(x[used]).query(x[left])[1]
-    return vertex, len(left)
+        tree = cKDTree(x[used])
+        far, nearest = tree.query(x[left])
+        near = far <= _spacing(x[used])[nearest]
+        vertex[left[near]] = nearest[near]
+    return vertex

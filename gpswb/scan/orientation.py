@@ -46,7 +46,9 @@ def flips(mesh: Mesh) -> tuple[BoolArray, int]:
     )
     corner = corner - middle[part][:, None]
     volume = np.einsum("ij,ij->i", corner[:, 0], np.cross(corner[:, 1], corner[:, 2]))
-    inward = np.bincount(part, volume, minlength=count) < 0.0
+    # A flat part has no volume but rounding: it stays as it is.
+    flat = 1e-9 * np.bincount(part, mesh.areas, minlength=count) ** 1.5
+    inward = np.bincount(part, volume, minlength=count) < -flat
     left = int((against ^ flip[a] ^ flip[b]).sum())
     return np.asarray(flip ^ inward[part]), left
 

@@ -7,8 +7,14 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from gpswb.core.mesh import Mesh
 from gpswb.errors import InputError
-from gpswb.io.mesh_file import read_mesh
+from gpswb.io.measured_file import read_measured
+
+
+def read_mesh(path: Path) -> Mesh:
+    return read_measured(path).mesh
+
 
 POINTS = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)]
 FACES = [(0, 2, 1), (0, 1, 3), (1, 2, 3), (2, 0, 3)]
@@ -92,6 +98,7 @@ def test_what_is_really_apart_stays_apart(tmp_path: Path) -> None:
         ("text.off", b"hello\n"),
         ("no_faces.obj", b"v 0 0 0\nv 1 0 0\n"),
         ("bad_index.off", b"OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 9\n"),
+        ("flat.off", b"OFF\n3 1 0\n0 0 0\n1 0 0\n2 0 0\n3 0 1 2\n"),
         ("nan.off", b"OFF\n3 1 0\n0 0 nan\n1 0 0\n0 1 0\n3 0 1 2\n"),
     ],
     ids=lambda value: value if isinstance(value, str) else "",
