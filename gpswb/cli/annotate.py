@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 from gpswb.batch.settings import Settings
 from gpswb.cli.guard import guarded
-from gpswb.cli.options import add_density_option, add_pipeline_options
+from gpswb.cli.options import add_density_option, add_pipeline_options, add_unit_option
 from gpswb.io.whole import whole_directory
 
 if TYPE_CHECKING:
@@ -67,6 +67,7 @@ def register(verbs: argparse._SubParsersAction[argparse.ArgumentParser]) -> None
     )
     add_density_option(parser)
     add_pipeline_options(parser)
+    add_unit_option(parser)
     parser.set_defaults(run=run)
 
 
@@ -102,7 +103,7 @@ def _work(args: argparse.Namespace, draft: Path) -> tuple[list[str], list[str]]:
     from gpswb.io.specification_file import read_specifications
 
     rows = read_specifications(args.specs) if args.specs else ()
-    settings = Settings(args.density, args.mode, args.method, args.kernel)
+    settings = Settings(args.density, args.mode, args.method, args.kernel, unit=args.unit)
     with stage_bar() as progress:
         outcome = examine(args.input, settings, progress)
     table = features_of(outcome)

@@ -67,7 +67,7 @@ STEP = b"ISO-10303-21;\nHEADER;\nENDSEC;\nDATA;\n#1=CARTESIAN_POINT('',(0.,0.,0.
         ("truncated.step", STEP, "truncated"),
         ("empty.step", b"", "empty"),
         ("absent.step", None, "no such file"),
-        ("part.xyz", b"0 0 0\n", "unknown format"),
+        ("part.dwg", b"0 0 0\n", "unknown format"),
         ("a\x1b[31mred\nname.step", b"hello\n", "not a STEP file"),
         ("empty.stl", b"", "empty.stl"),
         ("nan.off", b"OFF\n3 1 0\n0 0 nan\n1 0 0\n0 1 0\n3 0 1 2\n", "not finite"),
