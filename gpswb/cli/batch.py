@@ -6,6 +6,7 @@ from __future__ import annotations
 import argparse
 import re
 from collections import Counter
+from collections.abc import Iterable, Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -15,6 +16,7 @@ from gpswb.cli.options import add_corpus_options, add_density_option, add_pipeli
 from gpswb.errors import InputError
 
 if TYPE_CHECKING:
+    from gpswb.batch.isolated import End, Job
     from gpswb.batch.run import Summary
 
 NAMED = 20
@@ -39,6 +41,11 @@ def register(verbs: argparse._SubParsersAction[argparse.ArgumentParser]) -> None
     )
     parser.add_argument(
         "--retry", action="store_true", help="do parts again that crashed or met a limit"
+    )
+    parser.add_argument(
+        "--scheduler",
+        metavar="ADDRESS",
+        help="of Dask, tcp://HOST:PORT: its workers do the parts, --jobs is theirs to say",
     )
     parser.set_defaults(run=run)
 
@@ -68,11 +75,19 @@ def run(args: argparse.Namespace) -> int:
     parts = find_parts(where, suffixes)
     if not parts:
         raise InputError(f"no part or mesh in {args.directory}; taken are {', '.join(suffixes)}")
+
+    def execute(jobs: Iterable[Job]) -> Iterator[tuple[Job, End]]:
+        if args.scheduler:
+            from gpswb.batch.cluster import run_on_cluster
+
+            return run_on_cluster(jobs, settings, limits, args.scheduler)
+        return run_local(jobs, settings, limits, args.jobs)
+
     summary = run_batch(
         parts,
         args.out,
         settings,
-        lambda jobs: run_local(jobs, settings, limits, args.jobs),
+        execute,
         Shard(*args.shard),
         args.retry,
         lambda total, done: count_bar(total, "part", done),
