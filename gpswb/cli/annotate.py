@@ -24,6 +24,7 @@ OWNED = (
     "ap242.step",
     "part.qif",
     "coloured.step",
+    "report.html",
 )
 """Every file that this verb may write in the output directory."""
 
@@ -65,6 +66,7 @@ def register(verbs: argparse._SubParsersAction[argparse.ArgumentParser]) -> None
         action="store_true",
         help="write coloured.step: faces named and coloured by class",
     )
+    parser.add_argument("--no-report", action="store_true", help="don't write report.html")
     add_density_option(parser)
     add_pipeline_options(parser)
     add_unit_option(parser)

@@ -21,6 +21,8 @@ from gpswb.io.ap242.write import read_text, write_ap242
 from gpswb.io.features_csv import write_features_csv, write_specifications_csv
 from gpswb.io.features_json import features_document, write_features_json
 from gpswb.io.qif import write_qif
+from gpswb.io.result_json import result_document
+from gpswb.report.part_report import write_report
 
 _STEP = (".step", ".stp", ".p21")
 
@@ -52,6 +54,11 @@ def write_all(
     write_features_json(directory / "features.json", document)
     lines: list[str] = []
     names = ["features.json"]
+    if not args.no_report:
+        result = result_document(solid, outcome.partition, outcome.validation)
+        report = directory / "report.html"
+        write_report(report, result, outcome.partition, solid.facemap, document)
+        names.append("report.html")
     if args.csv:
         write_features_csv(directory / "features.csv", annotation)
         write_specifications_csv(directory / "specifications.csv", annotation)

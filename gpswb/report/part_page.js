@@ -117,6 +117,7 @@ function ranking(region, why) {
 
 function choose(id) {
   chosen = id === chosen ? null : id;
+  feature = null;
   for (const line of document.querySelectorAll("tr.pick")) line.classList.toggle("chosen", chosen !== null && line.dataset.region === String(chosen));
   if (chosen !== null && regionOf.has(chosen)) ranking(regionOf.get(chosen), "");
   by("wrong").checked = false;
@@ -251,6 +252,7 @@ function start() {
   legends();
   regions();
   validation();
+  gps();
   const largest = result.regions.reduce((a, b) => (a && a.area >= b.area ? a : b), null);
   if (largest) ranking(largest, " (the largest)");
   const titles = { initial: result.initial_region_count, refined: result.regions.length };
@@ -265,6 +267,7 @@ function start() {
     legends();
     regions();
     validation();
+    gps();
     if (chosen !== null || largest) ranking(regionOf.get(chosen ?? largest.id), chosen === null ? " (the largest)" : "");
     paintViews();
   };

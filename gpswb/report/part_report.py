@@ -21,14 +21,18 @@ from gpswb.report.pack import pack
 CREASE_DEG = 30.0
 """Facets that meet at more than this are drawn with a sharp edge between them."""
 
-SCRIPTS = ("part_view.js", "part_table.js", "part_page.js")
+SCRIPTS = ("part_view.js", "part_table.js", "part_gps.js", "part_page.js")
 
 GRID = 65535
 """Coordinates are drawn on a grid of 16 bits an axis."""
 
 
 def write_report(
-    path: Path, document: dict[str, Any], partition: Partition, facemap: FaceMap | None
+    path: Path,
+    document: dict[str, Any],
+    partition: Partition,
+    facemap: FaceMap | None,
+    features: dict[str, Any] | None = None,
 ) -> None:
     """Write the page.
 
@@ -37,20 +41,27 @@ def write_report(
         document: the result, from `result_document`.
         partition: the partition it speaks of.
         facemap: provenance of the triangles; None for a mesh input.
+        features: GPS features, datum systems and specifications, from `features_document`.
 
     Raises:
         OSError: the file can't be written.
     """
-    path.write_text(report_page(document, partition, facemap), encoding="utf-8")
+    path.write_text(report_page(document, partition, facemap, features), encoding="utf-8")
 
 
-def report_page(document: dict[str, Any], partition: Partition, facemap: FaceMap | None) -> str:
+def report_page(
+    document: dict[str, Any],
+    partition: Partition,
+    facemap: FaceMap | None,
+    features: dict[str, Any] | None = None,
+) -> str:
     """The page as text; the arguments are those of `write_report`."""
     area = partition.mesh.areas
     by_type = np.bincount(np.clip(partition.shape_type + 4, 0, 10), area, minlength=11)
     data = {
         "program": f"gpswb {gpswb.__version__}",
         "result": document,
+        "features": features,
         "classes": CLASSES,
         "palettes": {"wheel": WHEEL, "safe": SAFE},
         "none": NONE,
