@@ -48,9 +48,9 @@ def exact_class(truths: list[FaceTruth], frame: Frame) -> str:
 def one(path: Path) -> bool:
     outcome = examine(path, Settings(Density("auto"), "robust", "hybrid", "ocp"))
     table = features_of(outcome)
-    present = read_present(path, outcome.solid)
+    present, note = read_present(path, outcome.solid)
     if present is None:
-        say(f"{path.name}: no PMI")
+        say(f"{path.name}: {note or 'no PMI'}")
         return True
     truth = {face.name: face.truth for face in outcome.solid.facemap.faces}
     resolved = [datum for datum in present.datums if datum.faces]

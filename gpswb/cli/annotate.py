@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import argparse
 import re
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -97,20 +98,26 @@ def run(args: argparse.Namespace) -> int:
 def _work(args: argparse.Namespace, draft: Path) -> tuple[list[str], list[str]]:
     """What is printed and the names of the files written in ``draft``."""
     from gpswb.batch.one_part import examine
-    from gpswb.cli.annotation_files import read_present, write_all
+    from gpswb.cli.annotation_files import STEP, read_present, write_all
     from gpswb.cli.annotation_lines import annotation_lines, review_lines
     from gpswb.cli.progress import stage_bar
+    from gpswb.errors import InputError
     from gpswb.gps.annotation import annotate
     from gpswb.gps.review import review
     from gpswb.io.specification_file import read_specifications
 
+    for option, asked in (("--ap242", args.ap242), ("--coloured", args.coloured)):
+        if asked and args.input.suffix.lower() not in STEP:
+            raise InputError(f"{args.input}: {option} is for STEP files")
     rows = read_specifications(args.specs) if args.specs else ()
     settings = Settings(args.density, args.mode, args.method, args.kernel, unit=args.unit)
     with stage_bar() as progress:
         outcome = examine(args.input, settings, progress)
     table = features_of(outcome)
     annotation = annotate(table, args.datums, rows)
-    present = read_present(args.input, outcome.solid)
+    present, note = read_present(args.input, outcome.solid)
+    if note:
+        outcome = replace(outcome, solid=replace(outcome.solid, notes=(*outcome.solid.notes, note)))
     remarks = review(present, table) if present else ()
     lines = annotation_lines(outcome.solid, annotation) + review_lines(remarks)
     said, names = write_all(draft, outcome, annotation, remarks, args)

@@ -15,7 +15,7 @@ from gpswb.gps.annotation import Annotation
 from gpswb.gps.review import Remark
 from gpswb.io.ap242.compare import differences
 from gpswb.io.ap242.match import match_faces
-from gpswb.io.ap242.read_pmi import read_pmi
+from gpswb.io.ap242.read_pmi import graphic_annotations, read_pmi
 from gpswb.io.ap242.structure import shapes_of
 from gpswb.io.ap242.write import read_text, write_ap242
 from gpswb.io.features_csv import write_features_csv, write_specifications_csv
@@ -24,20 +24,26 @@ from gpswb.io.qif import write_qif
 from gpswb.io.result_json import result_document
 from gpswb.report.part_report import write_report
 
-_STEP = (".step", ".stp", ".p21")
+STEP = (".step", ".stp", ".p21")
 
 
-def read_present(path: Path, solid: Solid) -> Pmi | None:
-    """PMI that a STEP file holds; None for other files and for none."""
-    if path.suffix.lower() not in _STEP or solid.facemap is None:
-        return None
+def read_present(path: Path, solid: Solid) -> tuple[Pmi | None, str]:
+    """Semantic PMI that a STEP file holds, None for none; and what there is to say of it."""
+    if path.suffix.lower() not in STEP or solid.facemap is None:
+        return None, ""
     try:
         file = read_text(path)
-        if not any(True for _ in file.of("DATUM", "SHAPE_ASPECT")):
-            return None
-        return read_pmi(file, match_faces(file, shapes_of(file), solid.mesh, solid.facemap)) or None
-    except InputError:
-        return None  # the kernel may read what is too odd for us; there is nothing to review then
+        pmi = None
+        if any(True for _ in file.of("DATUM", "SHAPE_ASPECT")):
+            faces = match_faces(file, shapes_of(file), solid.mesh, solid.facemap)
+            pmi = read_pmi(file, faces) or None
+        drawn = graphic_annotations(file)
+    except InputError as error:
+        # The kernel may read what is too odd for us: the features are there, the PMI isn't.
+        return None, f"PMI in the file can't be reviewed: {error}"
+    if pmi is None and drawn:
+        return None, f"the file's PMI is graphic only ({drawn} annotations): nothing to review"
+    return pmi, ""
 
 
 def write_all(
@@ -76,13 +82,11 @@ def write_all(
 
 
 def _colour(path: Path, source: Path, outcome: Outcome, annotation: Annotation) -> None:
-    if source.suffix.lower() not in _STEP or outcome.validation is None:
-        raise InputError(f"{source}: --coloured is for STEP files")
     try:
         from gpswb.io.step_coloured import write_coloured_step
     except ImportError as error:
         raise KernelError(f"--coloured needs OCP, which isn't in this Python ({error})") from None
-    faces = outcome.validation.faces
+    faces = outcome.validation.faces if outcome.validation else ()
     classes = {f.name: f.invariance_class for f in faces if f.invariance_class is not None}
     names = {name: f.name for f in annotation.table.integral for name in f.faces}
     write_coloured_step(path, source, classes, names)
@@ -90,8 +94,6 @@ def _colour(path: Path, source: Path, outcome: Outcome, annotation: Annotation) 
 
 def _export(path: Path, source: Path, solid: Solid, annotation: Annotation) -> str:
     """Write AP242 and read it back, by our reader and by OCCT's where it is installed."""
-    if source.suffix.lower() not in _STEP:
-        raise InputError(f"{source}: AP242 is appended to STEP files only")
     wanted = write_ap242(path, read_text(source), solid, annotation.letters, annotation.specified)
     file = read_text(path)
     assert solid.facemap is not None

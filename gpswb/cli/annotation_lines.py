@@ -117,8 +117,8 @@ def _permitted_lines(annotation: Annotation) -> list[str]:
             for s in permitted
             if s.status == "recommended"
         ]
-        also = [f"{s.symbol} {s.characteristic}" for s in permitted if s.status == "allowed"]
-        rows.append(("  " + feature.name, "  ".join(best), ", ".join(also)))
+        also = [s.symbol for s in permitted if s.status == "allowed"]
+        rows.append(("  " + feature.name, "  ".join(best), " ".join(also)))
     more = len(annotation.table.features) - len(shown)
     return lines + aligned(rows) + ([f"  ... and {more} more"] if more else [])
 

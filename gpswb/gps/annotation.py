@@ -60,7 +60,10 @@ def annotate(
     for letter, choice in datums:
         if letter in letters:
             raise InputError(f"datum {letter} is given twice")
-        letters[letter] = chosen_features(table.features, choice)
+        try:
+            letters[letter] = chosen_features(table.features, choice)
+        except InputError as error:
+            raise InputError(f"datum {letter}: {error}") from None
     suggestions = suggest_datums(table.features, table.frame)
     system = suggestions[0].system if suggestions else None
     if datums:

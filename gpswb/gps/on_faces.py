@@ -44,5 +44,6 @@ def chosen_features(features: Sequence[GpsFeature], text: str) -> tuple[GpsFeatu
             faces.append(word)
     found, unknown = features_on(features, faces)
     if unknown:
-        raise InputError(f"{unknown[0]!r} in {text!r} is neither a feature nor a face in one")
+        where = "" if unknown[0] == text.strip() else f" in {text!r}"
+        raise InputError(f"{unknown[0]!r}{where} is neither a feature nor a face of one")
     return tuple(dict.fromkeys([*named, *found]))

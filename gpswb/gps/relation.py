@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from math import cos, sin
 from typing import Literal
@@ -12,7 +13,15 @@ import numpy as np
 from gpswb.gps.datum_system import DatumSystem, Freedom, freedom_left
 from gpswb.gps.gps_feature import GpsFeature
 from gpswb.gps.invariance_of_union import invariance_of_union
-from gpswb.gps.twists import SituationFeature, as_datum
+from gpswb.gps.tolerances import Tolerances
+from gpswb.gps.twists import (
+    Frame,
+    SituationFeature,
+    as_datum,
+    constraint_rows,
+    locked_degrees,
+    null_space,
+)
 
 Orientation = Literal["parallelism", "perpendicularity", "angularity"]
 
@@ -28,6 +37,9 @@ class Relation:
         concentric: its centre is a datum point or on a datum axis.
         symmetric: its median plane or axis lies in a datum's plane or axis.
         freedom: what the whole system leaves free of it.
+        partly_located: a translation of it is locked, so that it has a dimension to the datums.
+        by: the datum that an orientation, the "axis", the "centre" or the "median" refers to, as
+            written in the frame; the whole system where it takes several.
     """
 
     orientations: tuple[Orientation, ...]
@@ -37,6 +49,8 @@ class Relation:
     concentric: bool
     symmetric: bool
     freedom: Freedom
+    partly_located: bool
+    by: Mapping[str, str]
 
 
 def relation(feature: GpsFeature, system: DatumSystem) -> Relation:
@@ -47,27 +61,50 @@ def relation(feature: GpsFeature, system: DatumSystem) -> Relation:
     if not own.directed:
         own = feature.place
     angles: list[tuple[Orientation, float]] = []
-    turning = concentric = symmetric = False
-    everything = [s for datum in system.datums for s in datum.situations]
-    for situations in [*(datum.situations for datum in system.datums), everything]:
+    by: dict[str, str] = {}
+    for datum in system.datums:
+        for each in _parts(datum.situations, frame, tolerances):
+            if own.directed and each.directed:
+                angles.append(_orientation(own, each, tolerances.angle))
+                by.setdefault(angles[-1][0], datum.notation)
+    located = [datum for datum in system.datums if not datum.orientation_only]
+    places = [(datum.notation, datum.situations) for datum in located]
+    places.append((system.notation, tuple(s for datum in located for s in datum.situations)))
+    for notation, situations in places if located else ():
+        if any(
+            _contains(each, own, near, tolerances.angle)
+            for each in _parts(situations, frame, tolerances)
+        ):
+            by.setdefault("median", notation)
         whole = invariance_of_union(situations, frame, tolerances)
-        for datum in [whole] if whole.directed else situations:
-            if own.directed and datum.directed and situations is not everything:
-                angles.append(_orientation(own, datum, tolerances.angle))
-            symmetric |= _contains(datum, own, near, tolerances.angle)
         joint = invariance_of_union([whole, own], frame, tolerances)
-        turning |= whole.has_axis and joint.has_axis
-        concentric |= own.invariance_class == joint.invariance_class == "spherical"
-    coaxial = turning and own.has_axis
+        if whole.has_axis and joint.has_axis:
+            by.setdefault("axis", notation)
+        if own.invariance_class == joint.invariance_class == "spherical":
+            by.setdefault("centre", notation)
+    turning, ball = "axis" in by, own.invariance_class == "spherical"
+    freedom = freedom_left(system, feature)
+    rows = np.vstack([constraint_rows(s, frame) for s in feature.situations])
+    translations, _ = locked_degrees(null_space(rows, tolerances.distance))
     return Relation(
         tuple(dict.fromkeys(kind for kind, _ in angles)),
         angles[0][1] if angles else 0.0,
-        coaxial,
+        turning and own.has_axis,
         turning,
-        concentric or coaxial or (turning and own.invariance_class == "spherical"),
-        symmetric and own.invariance_class != "spherical",
-        freedom_left(system, feature),
+        "centre" in by or (turning and (own.has_axis or ball)),
+        "median" in by and not ball,
+        freedom,
+        len(freedom.translations) < translations,
+        by,
     )
+
+
+def _parts(
+    situations: Sequence[SituationFeature], frame: Frame, tolerances: Tolerances
+) -> Sequence[SituationFeature]:
+    """The union of a datum's features where it has a direction, else each of them."""
+    whole = invariance_of_union(situations, frame, tolerances)
+    return [whole] if whole.directed else situations
 
 
 def _orientation(

@@ -82,7 +82,9 @@ def _datum(datum: PmiDatum, features: tuple[GpsFeature, ...], table: FeatureTabl
             else "no feature of the part resolves"
         )
         return Remark(subject, (), "", why)
-    return _remark(subject, features, table, [_partial(datum.faces, features)])
+    # A target is a portion of a feature by nature; a datum feature is all of it.
+    said = "established by datum targets" if datum.target else _partial(datum.faces, features)
+    return _remark(subject, features, table, [said])
 
 
 def _partial(faces: Iterable[str], features: tuple[GpsFeature, ...]) -> str:
@@ -101,7 +103,8 @@ def _tolerance(
     if not features:
         return Remark(subject, (), "", "it isn't on faces")
     texts = []
-    if tolerance.value is None or tolerance.value <= 0:
+    conditional = {"Ⓜ", "Ⓛ"} & set(tolerance.modifiers)  # with these a zone may have no width
+    if tolerance.value is None or tolerance.value < 0 or (tolerance.value == 0 and not conditional):
         texts.append("it has no value")
     system = None
     if tolerance.datums:

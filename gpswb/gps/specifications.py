@@ -25,7 +25,8 @@ class Specification:
         characteristic: its name in ISO 1101; ``symbol`` its sign, ``group`` form, profile, ...
         status: recommended, allowed or not allowed, with its ``reason``.
         datum: whether a datum must, may or must not stand in the frame.
-        datums: the datum section, empty without datums.
+        datums: the datum section, empty without datums: the one datum that an orientation, an axis
+            or a median refers to, the whole system for the rest.
         modifiers: material modifiers that may follow the value; empty if none may.
         combination: CZ for a pattern, UF for an interrupted surface.
         zone: shape of the tolerance zone; ``prefix`` of the value: nothing, Ø or SØ.
@@ -77,7 +78,7 @@ def permitted_specifications(
                 status=status,
                 reason=reason,
                 datum=need,
-                datums=before.notation if before is not None and need != "none" else "",
+                datums=_section(name, rule.group, before, stands) if need != "none" else "",
                 modifiers=_modifiers(name, feature, kind),
                 combination="CZ" if kind == "group" else "UF" if feature.interrupted else "",
                 zone=zone,
@@ -89,9 +90,28 @@ def permitted_specifications(
 
 def _letters_before(feature: GpsFeature, system: DatumSystem) -> DatumSystem:
     for i, datum in enumerate(system.datums):
-        if any(f.id == feature.id for f in datum.features):
+        if any(_shared(f, feature) for f in datum.features):
             return datum_system(system.datums[:i], system.frame, system.tolerances)
     return system
+
+
+def _shared(one: GpsFeature, other: GpsFeature) -> bool:
+    """Whether two features are one, or one is made of the other."""
+    return one.id == other.id or one.id in other.members or other.id in one.members
+
+
+def _section(
+    name: Characteristic, group: Group, system: DatumSystem | None, stands: Relation | None
+) -> str:
+    if system is None or stands is None:
+        return ""
+    refers: dict[str, str] = {
+        "coaxiality": "axis", "concentricity": "centre", "symmetry": "median",
+    }  # fmt: skip
+    key = "axis" if group == "run-out" else refers.get(name, name)
+    if key == "angularity":  # it may take several datums to fix an angle
+        return system.notation
+    return stands.by.get(key) or stands.by.get("axis" if key == "centre" else "") or system.notation
 
 
 def _need(name: Characteristic, kind: Family, group: Group) -> Need:
@@ -121,13 +141,16 @@ def _recommended(feature: GpsFeature, kind: Family, stands: Relation | None) -> 
         return plain.get(kind, "surface profile")
     if kind in ("prismatic", "complex"):
         return "surface profile"
-    if stands.coaxial:
-        return "circular run-out" if kind in ("cone", "revolute") else "coaxiality"
+    if kind == "cone" and feature.size is not None and stands.coaxial:
+        return "circular run-out"
+    centred = feature.of_linear_size or kind in ("group", "helical")
+    if centred and stands.coaxial:
+        return "coaxiality"
     if kind == "opposed planes" and stands.symmetric:
         return "symmetry"
-    centred = feature.of_linear_size or kind in ("group", "helical")
     located: Characteristic = "position" if centred else "surface profile"
-    if stands.freedom.located or not stands.orientations:
+    # A corner's radius or a blend follows its neighbours: its own axis is of no use.
+    if stands.partly_located or not stands.orientations or not (centred or kind == "plane"):
         return located
     return stands.orientations[0]
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from difflib import get_close_matches
 
 from gpswb.errors import InputError
 from gpswb.gps.characteristics import RULES, Characteristic
@@ -119,10 +120,18 @@ def _specify(row: SpecificationRow, table: FeatureTable, letters: Letters) -> Sp
         return _size_tolerance(row, feature)
     name = next((c for c in RULES if c == row.characteristic), None)
     if name is None:
-        raise InputError(f"{row.characteristic!r} is no characteristic of ISO 1101, nor 'size'")
-    if row.value is not None and row.value <= 0:
-        raise InputError(f"{name} of {row.feature!r} needs a value above 0, or none")
-    datums = parse_datums(row.datums, letters) if row.datums else ()
+        near = get_close_matches(row.characteristic, [*RULES, "size"], 1)
+        hint = f"; did you mean {near[0]!r}?" if near else ""
+        raise InputError(
+            f"{row.characteristic!r} is no characteristic of ISO 1101, nor 'size'{hint}"
+        )
+    least = "of at least 0" if {"Ⓜ", "Ⓛ"} & set(row.modifiers) else "above 0"
+    if row.value is not None and (row.value < 0 or (row.value == 0 and least == "above 0")):
+        raise InputError(f"{name} of {row.feature!r} needs a value {least}, or none")
+    try:
+        datums = parse_datums(row.datums, letters) if row.datums else ()
+    except InputError as error:
+        raise InputError(f"{name} of {row.feature!r}: {error}") from None
     if datums and RULES[name].group == "form":
         raise InputError(f"{name} of {row.feature!r}: a form tolerance takes no datum")
     system = datum_system(datums, table.frame) if datums else None
@@ -134,14 +143,22 @@ def _specify(row: SpecificationRow, table: FeatureTable, letters: Letters) -> Sp
         row.value,
         datums,
         row.modifiers,
-        rule.prefix,
+        # With a modifier it is the median line's, whose zone is a cylinder.
+        "Ø" if name == "straightness" and row.modifiers else rule.prefix,
         rule.reason if rule.status == "not allowed" else _modifier_remark(row, rule.modifiers),
     )
 
 
 def _modifier_remark(row: SpecificationRow, permitted: tuple[str, ...]) -> str:
-    wrong = [m for m in row.modifiers if m not in permitted]
-    return f"{wrong[0]} doesn't go with it (ISO 2692)" if wrong else ""
+    given = row.modifiers
+    wrong = [m for m in given if m not in permitted]
+    if wrong:
+        return f"{wrong[0]} doesn't go with it (ISO 2692)"
+    if "Ⓜ" in given and "Ⓛ" in given:
+        return "Ⓜ and Ⓛ exclude each other (ISO 2692)"
+    if "Ⓡ" in given and len(set(given)) == 1:
+        return "Ⓡ stands after Ⓜ or Ⓛ only (ISO 2692)"
+    return ""
 
 
 def _size_tolerance(row: SpecificationRow, feature: GpsFeature) -> SizeTolerance:
@@ -150,6 +167,13 @@ def _size_tolerance(row: SpecificationRow, feature: GpsFeature) -> SizeTolerance
     if row.fit:
         if not feature.size.linear:
             raise InputError(f"size of {row.feature!r}: a tolerance class is for linear sizes")
+        hole = row.fit[0].isupper()
+        if feature.material == ("external" if hole else "internal"):
+            whose = "holes and slots" if hole else "shafts and ribs"
+            raise InputError(
+                f"size of {row.feature!r}: {row.fit} is a class of {whose}, {feature.name} is "
+                f"{feature.material}"
+            )
         return SizeTolerance(feature, None, None, row.fit)
     if (row.upper is None) != (row.lower is None):
         raise InputError(f"size of {row.feature!r} needs both deviations, or none")

@@ -41,6 +41,8 @@ def read_specifications(path: Path) -> tuple[SpecificationRow, ...]:
     except UnicodeDecodeError:
         raise InputError(f"{path}: not UTF-8") from None
     rows = _json(path, text) if path.suffix.lower() == ".json" else _csv(path, text)
+    if not rows:
+        raise InputError(f"{path}: there is no specification in it")
     return tuple(_row(path, number, row) for number, row in enumerate(rows, start=1))
 
 

@@ -109,7 +109,9 @@ def test_the_table_of_permitted_characteristics(part, name, without, datums, wit
         ("A", "", "flatness"),
         ("A", "A|B|C", "flatness"),
         ("B", "A|B|C", "perpendicularity"),
-        ("C", "A|B|C", "perpendicularity"),
+        ("C", "A", "perpendicularity"),
+        # B gives it a dimension.
+        ("C", "A|B|C", "position"),
         ("C", "", "cylindricity"),
         ("face", "A", "surface profile"),
         ("side", "A", "perpendicularity"),

@@ -41,6 +41,11 @@ MODIFIERS = {
     "RECIPROCITY_REQUIREMENT": "Ⓡ",
 }
 ZONES = {"cylindrical or circular": "Ø", "spherical": "SØ"}
+_GRAPHIC = (
+    "ANNOTATION_OCCURRENCE", "ANNOTATION_CURVE_OCCURRENCE", "ANNOTATION_TEXT_OCCURRENCE",
+    "ANNOTATION_PLACEHOLDER_OCCURRENCE", "DRAUGHTING_ANNOTATION_OCCURRENCE",
+    "TESSELLATED_ANNOTATION_OCCURRENCE",
+)  # fmt: skip
 _SIZES = ("DIMENSIONAL_SIZE", "ANGULAR_SIZE", "DIMENSIONAL_SIZE_WITH_PATH")
 
 
@@ -60,6 +65,11 @@ def read_pmi(file: Part21, entities: Mapping[str, FaceEntity]) -> Pmi:
     return Pmi(_datums(aspects), _tolerances(aspects), _sizes(aspects))
 
 
+def graphic_annotations(file: Part21) -> int:
+    """Number of annotations that are drawn, whether or not their meaning is in the file as well."""
+    return len(set(file.of(*_GRAPHIC)))
+
+
 def _datums(aspects: Aspects) -> tuple[PmiDatum, ...]:
     file = aspects.file
     found = []
@@ -73,6 +83,9 @@ def _datums(aspects: Aspects) -> tuple[PmiDatum, ...]:
                 faces |= aspects.faces(other)
             elif any("DATUM_TARGET" in keyword for keyword in keywords):
                 target = True
+                for feature in aspects.around(other):
+                    if feature != number:
+                        faces |= aspects.faces(feature)
         if letter:
             found.append(PmiDatum(str(letter[-1]), in_order(faces), target))
     return tuple(sorted(found, key=lambda datum: datum.letter))

@@ -66,6 +66,11 @@ def write_ap242(
             raise InputError(f"{solid.source}: the file has a datum {letter} already")
     shapes = shapes_of(file)
     faces = match_faces(file, shapes, solid.mesh, solid.facemap)
+    if not faces:
+        raise InputError(
+            f"{solid.source}: its text holds no B-rep face that PMI could be attached to (geometry "
+            "that is only tessellated has none)"
+        )
     entities = Entities(file.highest + 1, shapes, faces)
     for letter, features in letters.items():
         entities.datum(letter, features)

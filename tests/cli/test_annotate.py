@@ -1,0 +1,127 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""`gpswb annotate` as a user meets it: outputs, and wrong input in one line."""
+
+import json
+import re
+from pathlib import Path
+
+import pytest
+from conftest import Command
+
+from gpswb.io.ap242.strings import encode
+
+EVIL = "<img src=x onerror=alert(1)> 'q' \\X\\ \"d\" ä⌀&amp;"
+
+
+@pytest.fixture(scope="module")
+def evil_step(block_step: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The block, its product named with quotes, backslashes, non-ASCII and HTML."""
+    text = block_step.read_text("latin-1")
+    names = f"{encode(EVIL)},{encode(EVIL)}"
+    text, n = re.subn(r"(PRODUCT\()'[^']*',\s*'[^']*'", lambda m: m[1] + names, text)
+    assert n == 1
+    path = tmp_path_factory.mktemp("evil") / "evil<b>'&.step"
+    path.write_text(text, "latin-1")
+    return path
+
+
+SPECS = """feature,characteristic,value,datums,modifiers,upper,lower,fit
+Hole 1,position,0.2,A|B|C,M,,,
+Face1,flatness,0.05,,,,,
+Hole 1,size,,,,0.02,-0.1,
+"""
+DATUMS = "A=Plane 1,B=Plane 3,C=Plane 5"
+
+
+def test_all_outputs_of_a_part_with_an_evil_name(
+    gpswb: Command, evil_step: Path, tmp_path: Path
+) -> None:
+    specs, out = tmp_path / "specs.csv", tmp_path / "out"
+    specs.write_text(SPECS, encoding="utf-8")
+    words = ["--datums", DATUMS, "--specs", specs, "--ap242", "--qif", "--csv", "--coloured"]
+    done = gpswb("annotate", evil_step, "--out", out, *words)
+    assert (done.returncode, done.stderr) == (0, "")
+    assert "7 features, 3 compounds" in done.stdout
+    assert (
+        "3 datums, 2 tolerances and 1 sizes appended and read back, by OCCT as well" in done.stdout
+    )
+    assert {p.name for p in out.iterdir()} == {
+        "features.json", "features.csv", "specifications.csv", "ap242.step", "part.qif",
+        "coloured.step", "report.html",
+    }  # fmt: skip
+    document = json.loads((out / "features.json").read_text("utf-8"))
+    hole = next(f for f in document["features"] if f["name"] == "Hole 1")
+    assert (hole["size"]["value"], hole["material"]) == (pytest.approx(8.0, abs=1e-3), "internal")
+    assert [row["indication"] for row in document["specified"]] == [
+        "⌖ Ø0.2 Ⓜ | A | B | C", "⏥ 0.05", "Ø8 +0.02/-0.1"
+    ]  # fmt: skip
+    written = (out / "ap242.step").read_text("latin-1")
+    original = evil_step.read_text("latin-1")
+    kept = [line for line in original.splitlines() if "FILE_SCHEMA" not in line]
+    assert [line for line in written.splitlines() if line in set(kept)][: len(kept)] == kept
+    assert "<img" not in (out / "report.html").read_text("utf-8")
+
+
+def test_pmi_that_is_in_the_file_is_reviewed(
+    gpswb: Command, evil_step: Path, tmp_path: Path
+) -> None:
+    specs, out = tmp_path / "specs.csv", tmp_path / "out"
+    specs.write_text(SPECS, encoding="utf-8")
+    words = ["--datums", DATUMS, "--specs", specs, "--ap242", "--no-report"]
+    assert gpswb("annotate", evil_step, "--out", out, *words).returncode == 0
+    done = gpswb("annotate", out / "ap242.step", "--out", tmp_path / "again", "--no-report")
+    assert (done.returncode, done.stderr) == (0, "")
+    review = json.loads((tmp_path / "again" / "features.json").read_text("utf-8"))["review"]
+    found = {row["subject"]: (row["features"], row["class"], row["text"]) for row in review}
+    assert found["datum A"] == (["Plane 1"], "planar", "")
+    assert found["⌖ position Ø0.2 Ⓜ | A | B | C"] == (["Hole 1"], "cylindrical", "")
+    assert found["diameter 8 +0.02/-0.1"] == (["Hole 1"], "cylindrical", "")
+    assert "PMI in the file, reviewed" in done.stdout
+    # The letters are taken: nothing is written beside them.
+    done = gpswb("annotate", out / "ap242.step", "--out", out, "--datums", "A=Plane 1", "--ap242")
+    assert done.returncode == 1
+    assert "the file has a datum A already" in done.stderr
+    assert done.stderr.count("\n") == 1
+
+
+@pytest.mark.parametrize(
+    ("datums", "specs", "code", "words"),
+    [
+        ("A=Face99", None, 1, "datum A: 'Face99' is neither a feature nor a face of one"),
+        ("A", None, 2, "'A' is no datum; write A=Face1"),
+        ("A=Face1", "", 1, "there is no specification in it"),
+        ("A=Face1", "name\nx\n", 1, "'name' is none of feature, characteristic"),
+        ("A=Face1", "feature,characteristic,value\nFace1,flatness,x\n", 1, "'x' is not a number"),
+        ("A=Face1", "feature,characteristic\n\"<img src=x>\",flatness\n", 1, "'<img src=x>' is"),
+    ],
+)  # fmt: skip
+def test_wrong_input_is_one_line(
+    gpswb: Command,
+    block_step: Path,
+    tmp_path: Path,
+    datums: str,
+    specs: str | None,
+    code: int,
+    words: str,
+) -> None:
+    table = tmp_path / "specs.csv"
+    extra = [] if specs is None else ["--specs", table]
+    table.write_text(specs or "", encoding="utf-8")
+    done = gpswb(
+        "annotate", block_step, "--out", tmp_path / "out", "--datums", datums, *extra,
+        "--density", "stl",
+    )  # fmt: skip
+    assert done.returncode == code
+    assert words in done.stderr
+    assert not (tmp_path / "out").exists()
+    assert done.stdout == ""
+    if code == 1:
+        assert done.stderr.startswith("gpswb: ")
+        assert done.stderr.count("\n") == 1
+
+
+def test_what_needs_a_step_file_says_so_at_once(gpswb: Command, tmp_path: Path) -> None:
+    for option in ("--ap242", "--coloured"):
+        done = gpswb("annotate", tmp_path / "cube.off", "--out", tmp_path / "out", option)
+        assert (done.returncode, done.stdout) == (1, "")
+        assert f"cube.off: {option} is for STEP files" in done.stderr
