@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""labels.npz: the mesh with region, class and face of every triangle (design, section 10)."""
+"""labels.npz: the mesh with region, class and face of every triangle."""
 
 from __future__ import annotations
 
@@ -24,8 +24,11 @@ def write_labels(
     """Write ``vertices`` (n, 3), ``triangles`` (m, 3) and ``region``, ``class``, ``face`` (m,).
 
     ``region`` holds region ids, ``class`` indices into ``CLASSES``, ``face`` 0-based face numbers;
-    each −1 for none. For a point cloud also ``point`` (n, 3), ``point_region`` and
-    ``point_class`` (n,): every point as read, those that were thinned away included.
+    each −1 for none. What the first step found is beside them, under the names of `Partition`:
+    ``shape_type``, ``initial_region`` (m,), and by vertex ``shape_index``, ``curvedness``,
+    ``vertex_shape_type`` (n,); and ``feature_of_face`` (f,) of the face map. For a point cloud
+    also ``point`` (n, 3), ``point_region`` and ``point_class`` (n,): every point as read, those
+    that were thinned away included.
 
     Raises:
         OSError: the file can't be written.
@@ -39,6 +42,12 @@ def write_labels(
         "region": ids[partition.region],
         "class": facet_classes(partition),
         "face": face,
+        "shape_type": partition.shape_type.astype(np.int8),
+        "initial_region": partition.initial_region,
+        "shape_index": partition.shape_index.astype(np.float32),
+        "curvedness": partition.curvedness.astype(np.float32),
+        "vertex_shape_type": partition.vertex_shape_type.astype(np.int8),
+        "feature_of_face": np.empty(0, np.int64) if facemap is None else facemap.feature_of_face,
     }
     if pointmap is not None:
         index = region_of_points(partition, pointmap.vertex_of_point)

@@ -3,9 +3,11 @@
 
 from __future__ import annotations
 
+import time
+
 import pytest
 
-from gpswb.cad.isolate import run_isolated
+from gpswb.cad.isolate import IsolatedJob, run_isolated
 from gpswb.errors import InputError, KernelError
 
 
@@ -48,3 +50,18 @@ def test_other_errors_become_one_line() -> None:
     with pytest.raises(KernelError, match=r"^ZeroDivisionError: ") as caught:
         run_isolated("operator:truediv", [1, 0], 60)
     assert "\n" not in str(caught.value)
+
+
+def test_a_job_tells_its_progress_and_is_cancelled(tmp_path) -> None:
+    job = IsolatedJob("sniffing:tell_and_sleep", [str(tmp_path / "alive")])
+    while job.progress is None and job.running:
+        time.sleep(0.02)
+    assert job.progress == ("sleep", 0.5)
+    # The job has started a job of its own: cancelling ends that one as well.
+    while not (tmp_path / "alive").exists():
+        time.sleep(0.02)
+    job.close()
+    assert not job.running
+    (tmp_path / "alive").unlink()
+    time.sleep(0.5)
+    assert not (tmp_path / "alive").exists()
