@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import json
 import math
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
@@ -41,13 +42,13 @@ def result_document(
         },
         "timings_s": {**solid.timings, **partition.timings},
         "notes": list(solid.notes),
-        "regions": [_region(r, on_region.get(r.id, [])) for r in partition.regions],
+        "regions": [region_entry(r, on_region.get(r.id, [])) for r in partition.regions],
         "initial_region_count": partition.initial_region_count,
         "sharp_edge_regions": partition.sharp_edge_regions,
-        "faces": [_face(face) for face in faces],
+        "faces": [face_entry(face) for face in faces],
         "validation": _validation(validation) if validation else None,
     }
-    plain: dict[str, Any] = _finite(document)
+    plain: dict[str, Any] = finite(document)
     return plain
 
 
@@ -62,14 +63,15 @@ def write_result(path: Path, document: dict[str, Any]) -> None:
         file.write("\n")
 
 
-def _region(region: Region, faces: list[str]) -> dict[str, Any]:
+def region_entry(region: Region, faces: Sequence[str]) -> dict[str, Any]:
+    """A region as it stands in ``regions``; numbers may not be finite yet."""
     return {
         "id": region.id,
         "class": region.invariance_class,
         "surface": region.surface,
         "area": region.area,
         "triangles": region.triangles,
-        "faces": faces,
+        "faces": list(faces),
         "initial_regions": region.initial_regions,
         "situation": {name: list(value) for name, value in region.situation.items()},
         "intrinsic": dict(region.intrinsic),
@@ -80,7 +82,8 @@ def _region(region: Region, faces: list[str]) -> dict[str, Any]:
     }
 
 
-def _face(face: FaceResult) -> dict[str, Any]:
+def face_entry(face: FaceResult) -> dict[str, Any]:
+    """A face as it stands in ``faces``."""
     return {
         "name": face.name,
         "class": face.invariance_class,
@@ -129,12 +132,12 @@ def _failure(failure: Failure) -> dict[str, Any]:
     }
 
 
-def _finite(value: Any) -> Any:
-    """JSON has no NaN and no infinity: null stands for them; numpy scalars become Python's."""
+def finite(value: Any) -> Any:
+    """A value that JSON can hold: null for what is not finite, Python's numbers for numpy's."""
     if isinstance(value, dict):
-        return {str(key): _finite(item) for key, item in value.items()}
+        return {str(key): finite(item) for key, item in value.items()}
     if isinstance(value, list | tuple):
-        return [_finite(item) for item in value]
+        return [finite(item) for item in value]
     if value is None or isinstance(value, str | bool | int):
         return value
     number = float(value)

@@ -27,7 +27,7 @@ class StoredResult:
 
     Args:
         solid: the mesh and its provenance; its faces' truth is not stored, ``faces`` has the class.
-        partition: the partition; scalars a facet are single precision.
+        partition: the partition; curvatures are single precision.
         faces: one result a face; empty for a mesh input.
         document: the document itself.
     """
@@ -87,7 +87,7 @@ def _assembled(document: Mapping[str, Any], arrays: Mapping[str, Any]) -> Stored
     m = len(mesh.triangles)
     regions = tuple(_region(region) for region in document["regions"])
     faces = face_results(document)
-    for name in ("region", "face", "shape_type", "initial_region", "shape_index", "curvedness"):
+    for name in ("region", "face", "shape_type", "initial_region"):
         if arrays[name].shape != (m,):
             raise ValueError(f"{name} has shape {arrays[name].shape} for {m} triangles")
     settings, timings = document["settings"], document["timings_s"]

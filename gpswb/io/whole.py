@@ -48,25 +48,36 @@ def whole_directory(out: Path, owned: tuple[str, ...]) -> Iterator[Path]:
     shutil.rmtree(draft, ignore_errors=True)
 
 
-def write_whole(path: Path, text: str) -> None:
-    """Write one text file, UTF-8, whole or not at all.
+@contextmanager
+def whole_file(path: Path) -> Iterator[Path]:
+    """Yield a new file beside ``path`` that takes its place when the block ends well.
 
     Raises:
         OutputError: it can't be written.
     """
     draft = None
     try:
-        with tempfile.NamedTemporaryFile(
-            "w", encoding="utf-8", dir=path.parent, prefix=f".{path.name}.", delete=False
-        ) as file:
-            draft = file.name
-            file.write(text)
+        handle, draft = tempfile.mkstemp(prefix=f".{path.name}.", dir=path.parent)
+        os.close(handle)
+        yield Path(draft)
         _open_up(Path(draft), 0o666)
         Path(draft).replace(path)
-    except OSError as error:
+    except BaseException as error:
         if draft:
             Path(draft).unlink(missing_ok=True)
-        raise _unwritable(path, error) from error
+        if isinstance(error, OSError):
+            raise _unwritable(path, error) from error
+        raise
+
+
+def write_whole(path: Path, text: str) -> None:
+    """Write one text file, UTF-8, whole or not at all.
+
+    Raises:
+        OutputError: it can't be written.
+    """
+    with whole_file(path) as draft:
+        draft.write_text(text, encoding="utf-8")
 
 
 def _publish(draft: Path, out: Path, owned: tuple[str, ...]) -> None:

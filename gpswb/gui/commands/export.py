@@ -1,0 +1,42 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""`GPS_Export`: write a partition as a file."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from gpswb.gui import compat
+from gpswb.gui.commands.command import BaseCommand
+from gpswb.gui.compat import QT_TRANSLATE_NOOP, QtWidgets, translate
+
+
+class Command(BaseCommand):
+    """Ask for a file, and write what its suffix says."""
+
+    name = "GPS_Export"
+    text = QT_TRANSLATE_NOOP("GPS_Export", "Export…")
+    tooltip = QT_TRANSLATE_NOOP(
+        "GPS_Export", "Write result, faces, GPS features, report or mesh as a file"
+    )
+    shortcut = "G, E"
+
+    def IsActive(self) -> bool:
+        from gpswb.gui.selection import with_result
+
+        return with_result() is not None
+
+    def run(self) -> None:
+        from gpswb.gui.exports import FORMATS, export
+        from gpswb.gui.selection import with_result
+
+        partition = with_result()
+        kinds = {
+            f"{translate('GPS', kind)} (*{suffix})": suffix for suffix, (kind, _) in FORMATS.items()
+        }
+        path, kind = QtWidgets.QFileDialog.getSaveFileName(
+            compat.main_window(), translate("GPS", "Export"), "", ";;".join(kinds)
+        )
+        if not path:
+            return
+        suffix = kinds[kind]
+        export(partition, Path(path if path.lower().endswith(suffix) else path + suffix))

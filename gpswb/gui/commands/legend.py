@@ -1,0 +1,32 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""`GPS_Legend`: what the colours mean."""
+
+from __future__ import annotations
+
+from gpswb.gui.commands.command import BaseCommand
+from gpswb.gui.compat import QT_TRANSLATE_NOOP
+
+
+class Command(BaseCommand):
+    """Show the legend, or hide it."""
+
+    name = "GPS_Legend"
+    text = QT_TRANSLATE_NOOP("GPS_Legend", "Legend")
+    tooltip = QT_TRANSLATE_NOOP(
+        "GPS_Legend", "What the colours mean, how many faces have each; a click selects them"
+    )
+    shortcut = "G, L"
+
+    def IsActive(self) -> bool:
+        from gpswb.gui.selection import with_result
+
+        return with_result() is not None
+
+    def run(self) -> None:
+        from gpswb.gui.panels.legend import open_legend, show_legend
+
+        legend = open_legend()
+        if legend is not None and legend.isVisible():
+            legend.hide()
+        else:
+            show_legend()

@@ -1,0 +1,32 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""`GPS_Sweep`: accuracy of a part at several densities."""
+
+from __future__ import annotations
+
+import FreeCADGui
+
+from gpswb.gui.commands.command import BaseCommand
+from gpswb.gui.compat import QT_TRANSLATE_NOOP
+
+
+class Command(BaseCommand):
+    """Open the panel that runs a part at several densities."""
+
+    name = "GPS_Sweep"
+    text = QT_TRANSLATE_NOOP("GPS_Sweep", "Sweep density…")
+    tooltip = QT_TRANSLATE_NOOP(
+        "GPS_Sweep", "Partition the part at several densities and compare the accuracy"
+    )
+    shortcut = "G, S"
+
+    def IsActive(self) -> bool:
+        from gpswb.gui.selection import chosen_part
+
+        return not FreeCADGui.Control.activeDialog() and chosen_part() is not None
+
+    def run(self) -> None:
+        from gpswb.gui.panels.show import show_panel
+        from gpswb.gui.panels.sweep import SweepPanel
+        from gpswb.gui.selection import chosen_part
+
+        show_panel(SweepPanel(chosen_part()))

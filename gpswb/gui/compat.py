@@ -1,0 +1,78 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What differs between FreeCAD 0.20 and 1.x, and with and without a window; nothing else does."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import FreeCAD
+from PySide import QtCore, QtGui
+
+try:
+    from PySide import QtWidgets
+except ImportError:  # FreeCAD's PySide has the widgets in QtGui where it wraps Qt 5
+    QtWidgets = QtGui
+
+__all__ = ["QtCore", "QtGui", "QtWidgets"]
+
+Colour = tuple[float, float, float]
+"""Red, green and blue, 0 to 1. No alpha: versions differ on whether it is opacity."""
+
+translate = FreeCAD.Qt.translate
+"""Look a text up in the installed translation: ``translate(context, text)``."""
+
+
+def QT_TRANSLATE_NOOP(context: str, text: str) -> str:
+    """Mark a text for translation by whoever shows it: FreeCAD does so for commands."""
+    return text
+
+
+def main_window() -> Any:
+    """FreeCAD's window."""
+    import FreeCADGui
+
+    return FreeCADGui.getMainWindow()
+
+
+def show_error(text: str) -> None:
+    """One line that the user can't miss; in the report view, too."""
+    FreeCAD.Console.PrintError(f"GPS: {text}\n")
+    QtWidgets.QMessageBox.warning(main_window(), "GPS", text)
+
+
+def standard_buttons(*names: str) -> int:
+    """What a task panel's ``getStandardButtons`` gives, by names of Qt's standard buttons."""
+    box = QtWidgets.QDialogButtonBox
+    return sum(int(getattr(box, name)) for name in names)
+
+
+def has_window() -> bool:
+    """Whether FreeCAD runs with its window."""
+    return bool(FreeCAD.GuiUp)
+
+
+def warn(text: str) -> None:
+    """Say it in FreeCAD's report view."""
+    FreeCAD.Console.PrintWarning(f"GPS: {text}\n")
+
+
+def face_colours(view: Any) -> list[tuple[float, ...]] | None:
+    """Colours of a shape's faces (one, or one a face); None where a view has none."""
+    colours = getattr(view, "DiffuseColor", None)
+    return [tuple(colour) for colour in colours] if colours else None
+
+
+def set_face_colours(view: Any, colours: Sequence[Sequence[float]]) -> None:
+    """Colour a shape's faces; what `face_colours` gave is taken back as it was."""
+    view.DiffuseColor = [tuple(colour) for colour in colours]
+
+
+def add_group(obj: Any) -> None:
+    """Let an object hold others, in the tree too, also where this workbench is missing."""
+    obj.addExtension("App::GroupExtensionPython")
+
+
+def add_group_view(view: Any) -> None:
+    """The view's half of `add_group`."""
+    view.addExtension("Gui::ViewProviderGroupExtensionPython")

@@ -1,0 +1,106 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Files that a partition can be written as, with the user's overrides in them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from pathlib import Path
+from typing import Any
+
+from gpswb.errors import InputError
+from gpswb.gps.annotation import Annotation, annotate
+from gpswb.gps.feature_table import feature_table
+from gpswb.gui.objects.partition import effective_result, stored_datums
+from gpswb.io.faces_csv import write_faces
+from gpswb.io.features_csv import write_features_csv
+from gpswb.io.features_json import features_document, write_features_json
+from gpswb.io.labels_npz import write_labels
+from gpswb.io.ply import write_ply
+from gpswb.io.qif import write_qif
+from gpswb.io.result_json import write_result
+from gpswb.io.stored_result import StoredResult
+from gpswb.io.whole import whole_file
+from gpswb.report.part_report import write_report
+
+
+def annotation_of(obj: Any) -> Annotation:
+    """GPS features and datum system of a partition, with the datums that it names.
+
+    Raises:
+        InputError: it has no result, or a datum doesn't fit the part.
+    """
+    stored, _ = effective_result(obj)
+    return annotate(feature_table(stored.partition, faces_of_regions(stored)), stored_datums(obj))
+
+
+def faces_of_regions(stored: StoredResult) -> dict[int, list[str]]:
+    """Names of the faces of each region id; each face goes with the region that has most of it."""
+    faces: dict[int, list[str]] = {}
+    for face in stored.faces:
+        for region in face.regions[:1]:
+            faces.setdefault(region, []).append(face.name)
+    return faces
+
+
+def _result(path: Path, obj: Any) -> None:
+    write_result(path, dict(effective_result(obj)[0].document))
+
+
+def _faces(path: Path, obj: Any) -> None:
+    write_faces(path, effective_result(obj)[0].faces)
+
+
+def _labels(path: Path, obj: Any) -> None:
+    stored, _ = effective_result(obj)
+    write_labels(path, stored.partition, stored.solid.facemap)
+
+
+def _ply(path: Path, obj: Any) -> None:
+    write_ply(path, effective_result(obj)[0].partition)
+
+
+def _report(path: Path, obj: Any) -> None:
+    stored, _ = effective_result(obj)
+    write_report(path, dict(stored.document), stored.partition, stored.solid.facemap)
+
+
+def _features(path: Path, obj: Any) -> None:
+    source = effective_result(obj)[0].document["source"]
+    write_features_json(path, features_document(annotation_of(obj), source))
+
+
+def _features_csv(path: Path, obj: Any) -> None:
+    write_features_csv(path, annotation_of(obj))
+
+
+def _qif(path: Path, obj: Any) -> None:
+    write_qif(path, annotation_of(obj), obj.Source.Label)
+
+
+FORMATS: Mapping[str, tuple[str, Callable[[Path, Any], None]]] = {
+    ".html": ("Report", _report),
+    ".json": ("Result", _result),
+    ".csv": ("Faces", _faces),
+    ".features.json": ("GPS features", _features),
+    ".features.csv": ("GPS features, table", _features_csv),
+    ".qif": ("QIF 3.0", _qif),
+    ".ply": ("Mesh coloured by class", _ply),
+    ".npz": ("Mesh with labels", _labels),
+}
+"""Kind and writer by suffix, the longer suffix where two fit."""
+
+
+def export(obj: Any, path: Path) -> None:
+    """Write a partition as what the file's suffix says, whole or not at all.
+
+    Raises:
+        InputError: it has no result, or the suffix is unknown.
+        OutputError: the file can't be written.
+    """
+    name = path.name.lower()
+    fitting = [suffix for suffix in FORMATS if name.endswith(suffix)]
+    if not fitting:
+        raise InputError(f"{path.name}: the name must end in one of {', '.join(FORMATS)}")
+    _, write = FORMATS[max(fitting, key=len)]
+    with whole_file(path) as draft:
+        write(draft, obj)

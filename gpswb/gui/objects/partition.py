@@ -1,0 +1,303 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The document object `GPS Partition`: what was recognised on a part, linked to the part.
+
+    partition = make_partition(part, density="auto", mode="robust")
+    print(partition.Classes)
+
+It keeps its result as JSON and its mesh as a file within the document, never as Python objects, so
+that a document opens whatever version of this workbench is there, or none.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import json
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+from typing import Any
+
+from gpswb.cad.density import Density
+from gpswb.core.invariance import InvarianceClass
+from gpswb.errors import GpswbError, InputError
+from gpswb.gui import compat, preferences
+from gpswb.gui.objects.feature import sync_features
+from gpswb.gui.overrides import Action, apply_overrides, from_json, override_on, to_json
+from gpswb.gui.runs import Run
+from gpswb.io.stored_result import StoredResult, read_stored_result
+
+NOT_RUN, CURRENT, STALE, FAILED = "not run", "up to date", "stale", "failed"
+STATUSES = (NOT_RUN, CURRENT, STALE, FAILED)
+
+_PROPERTIES = (
+    # type, name, group, editor mode (0 free, 1 read only, 2 hidden), what it is
+    ("App::PropertyLink", "Source", "GPS", 0, "The part that is partitioned"),
+    ("App::PropertyString", "Density", "GPS", 0, "Density of the mesh, as on the command line"),
+    ("App::PropertyEnumeration", "Mode", "GPS", 0, "Mode of the partition"),
+    ("App::PropertyString", "Datums", "GPS", 0, "Datum features, as A=Face1,B=Face5+Face6"),
+    ("App::PropertyEnumeration", "Status", "GPS", 1, "Whether the result is that of the part"),
+    ("App::PropertyString", "Message", "GPS", 1, "What went wrong, or what to know"),
+    ("App::PropertyStringList", "Classes", "Result", 1, "Invariance class of each face, in order"),
+    ("App::PropertyInteger", "Triangles", "Result", 1, "Triangles of the mesh"),
+    ("App::PropertyInteger", "Regions", "Result", 1, "Recognised regions"),
+    ("App::PropertyFloat", "AreaAccuracy", "Result", 1, "Share of the area that agrees with CAD"),
+    ("App::PropertyFloat", "FaceAccuracy", "Result", 1, "Share of the faces that agree with CAD"),
+    ("App::PropertyString", "Result", "Data", 2, "The result, JSON of schema gpswb-result/1"),
+    ("App::PropertyFileIncluded", "Labels", "Data", 2, "The mesh with its labels (npz)"),
+    ("App::PropertyString", "Overrides", "Data", 2, "What the user knows better, JSON"),
+    ("App::PropertyString", "RunKey", "Data", 2, "Fingerprint of part and settings of the result"),
+)
+
+
+class PartitionProxy:
+    """Behaviour of the document object."""
+
+    Type = "GpsPartition"
+
+    def __init__(self, obj: Any) -> None:
+        obj.Proxy = self
+        compat.add_group(obj)
+        _add_properties(obj)
+
+    def execute(self, obj: Any) -> None:
+        """Recompute what is quick, mark as stale what is not."""
+        self.refresh(obj)
+
+    def refresh(self, obj: Any) -> None:
+        """Bring the state up to date; run again if the last run was quick."""
+        if not obj.Result:
+            return
+        if run_key(obj) == obj.RunKey:
+            obj.Status = CURRENT
+            return
+        obj.Status, obj.Message = STALE, "part or settings have changed: run it again"
+        if _last_run_s(obj) > preferences.recompute_limit_s():
+            return
+        try:
+            run(obj)
+        except GpswbError as error:
+            obj.Status, obj.Message = FAILED, str(error)
+
+    def onDocumentRestored(self, obj: Any) -> None:
+        """Give documents of older versions the properties that came later."""
+        _add_properties(obj)
+
+    def dumps(self) -> None:
+        return None
+
+    def loads(self, state: Any) -> None:
+        return None
+
+    __getstate__ = dumps
+    __setstate__ = loads
+
+
+def _add_properties(obj: Any) -> None:
+    for kind, name, group, editor, text in _PROPERTIES:
+        if not hasattr(obj, name):
+            obj.addProperty(kind, name, group, text)
+            obj.setEditorMode(name, editor)
+            if name == "Mode":
+                obj.Mode = list(preferences.MODES)
+            elif name == "Status":
+                obj.Status = list(STATUSES)
+
+
+def is_partition(obj: Any) -> bool:
+    """Whether a document object is a partition of ours."""
+    return getattr(getattr(obj, "Proxy", None), "Type", "") == PartitionProxy.Type
+
+
+def partitions(document: Any) -> list[Any]:
+    """The partitions of a document."""
+    return [obj for obj in document.Objects if is_partition(obj)]
+
+
+def make_partition(source: Any, density: str = "", mode: str = "", *, compute: bool = True) -> Any:
+    """Add a partition of ``source`` to its document.
+
+    Args:
+        source: a document object with a shape that has faces.
+        density, mode: as on the command line; the preferences' if not given.
+        compute: run it, and wait; otherwise it stays `NOT_RUN` until `run`.
+
+    Raises:
+        InputError: the source has no faces, or the density isn't valid.
+        GpswbError: the run failed; the document is as it was.
+    """
+    source = usable_source(source)
+    density = density or preferences.default_density()
+    check_density(density)
+    obj = source.Document.addObject("App::FeaturePython", "GpsPartition")
+    try:
+        PartitionProxy(obj)
+        obj.Label = f"GPS Partition of {source.Label}"
+        obj.Source = source
+        obj.Density = density
+        obj.Mode = mode or preferences.default_mode()
+        parent = source.getParentGeoFeatureGroup()
+        if parent is not None:
+            parent.addObject(obj)
+        if compat.has_window():
+            from gpswb.gui.objects.partition_view import PartitionView
+
+            PartitionView(obj.ViewObject)
+        if compute:
+            run(obj)
+    except BaseException:
+        source.Document.removeObject(obj.Name)
+        raise
+    return obj
+
+
+def usable_source(source: Any) -> Any:
+    """The object to link to: of a feature within a body the body.
+
+    Raises:
+        InputError: it has no shape with faces.
+    """
+    parent = source.getParentGeoFeatureGroup()
+    if parent is not None and parent.isDerivedFrom("PartDesign::Body"):
+        source = parent
+    if not getattr(getattr(source, "Shape", None), "Faces", None):
+        raise InputError(f"{source.Label} has no faces to partition")
+    return source
+
+
+def check_density(text: str) -> None:
+    """Raise InputError where a density isn't valid."""
+    try:
+        Density.parse(text)
+    except ValueError as error:
+        raise InputError(str(error)) from None
+
+
+def start_run(source: Any, density: str, mode: str) -> Run:
+    """Start to partition a part in a process of its own; see `finish_run`.
+
+    Raises:
+        InputError: the density isn't valid.
+    """
+    check_density(density)
+    return Run("partition_shape", source.Shape, source.Label, density, mode)
+
+
+def finish_run(obj: Any, document: dict[str, Any], labels: Path) -> Iterator[None]:
+    """Put the result of a run into the object, in slices: iterate to the end."""
+    obj.Labels = str(labels)
+    obj.Result = json.dumps(document)
+    obj.RunKey = run_key(obj)
+    yield
+    yield from show_result(obj)
+
+
+def show_result(obj: Any) -> Iterator[None]:
+    """Properties and children from the stored result and the overrides, in slices."""
+    stored, notes = effective_result(obj)
+    document = stored.document
+    obj.Classes = [face.invariance_class or "none" for face in stored.faces]
+    obj.Triangles = document["mesh"]["triangles"]
+    obj.Regions = len(document["regions"])
+    judged = document["validation"] or {}
+    obj.AreaAccuracy = judged.get("area_accuracy") or 0.0
+    obj.FaceAccuracy = judged.get("face_accuracy") or 0.0
+    obj.Message = "; ".join([*document["notes"], *notes])
+    obj.Status = CURRENT
+    yield
+    yield from sync_features(obj, stored)
+    obj.purgeTouched()
+
+
+def run(obj: Any) -> None:
+    """Partition the source with the object's settings, and wait for it.
+
+    Raises:
+        GpswbError: it failed; the object keeps what it had.
+    """
+    work = start_run(usable_source(obj.Source), obj.Density, obj.Mode)
+    try:
+        for _ in finish_run(obj, work.result(), work.folder / "labels.npz"):
+            pass
+    finally:
+        work.close()
+
+
+def run_key(obj: Any) -> str:
+    """Fingerprint of what the result depends on: the shape, without its display mesh; settings."""
+    text = obj.Source.Shape.cleaned().exportBrepToString() if obj.Source else ""
+    return hashlib.sha256(f"{obj.Density}\n{obj.Mode}\n{text}".encode()).hexdigest()
+
+
+def stored_result(obj: Any) -> StoredResult:
+    """What the run found, from the mesh alone.
+
+    Raises:
+        InputError: there is none yet, or it is damaged.
+    """
+    if not obj.Result or not obj.Labels:
+        raise InputError(f"{obj.Label} has no result yet")
+    known = _read.get(obj.Labels)
+    if known is None or known[0] != obj.RunKey:
+        try:
+            document = json.loads(obj.Result)
+        except ValueError as error:
+            raise InputError(f"the result of {obj.Label} is damaged ({error})") from None
+        known = obj.RunKey, read_stored_result(document, Path(obj.Labels))
+        _read.clear()
+        _read[obj.Labels] = known
+    return known[1]
+
+
+_read: dict[str, tuple[str, StoredResult]] = {}
+"""The result that was read last, by file and run: it takes a second for a million triangles."""
+
+
+def effective_result(obj: Any) -> tuple[StoredResult, tuple[str, ...]]:
+    """The result with the user's overrides, and notes on those that found no place.
+
+    Raises:
+        InputError: there is none yet, or it is damaged.
+    """
+    return apply_overrides(stored_result(obj), from_json(obj.Overrides))
+
+
+def stored_datums(obj: Any) -> tuple[tuple[str, str], ...]:
+    """Letter and choice of each datum that the object names; none means that they are suggested.
+
+    Raises:
+        InputError: the text isn't of the form ``A=Face1,B=Face5+Face6``.
+    """
+    found = []
+    for part in filter(None, (part.strip() for part in obj.Datums.split(","))):
+        letter, equals, choice = (piece.strip() for piece in part.partition("="))
+        if not (equals and choice and letter.isascii() and letter.isupper()):
+            raise InputError(f"{part!r} is no datum; write A=Face1,B=Face5+Face6")
+        found.append((letter, choice))
+    return tuple(found)
+
+
+def add_override(
+    obj: Any, action: Action, faces: Sequence[str], invariance_class: InvarianceClass | None = None
+) -> None:
+    """Merge or split the regions of faces, or change their class, from now on.
+
+    Raises:
+        InputError: the faces don't exist, or the action can't be done on them.
+    """
+    current, _ = effective_result(obj)
+    new = override_on(current, action, faces, invariance_class)
+    obj.Overrides = to_json([*from_json(obj.Overrides), new])
+    for _ in show_result(obj):
+        pass
+
+
+def clear_overrides(obj: Any) -> None:
+    """Go back to what was recognised."""
+    obj.Overrides = ""
+    for _ in show_result(obj):
+        pass
+
+
+def _last_run_s(obj: Any) -> float:
+    """Seconds that the last run took, the start of its process included."""
+    timings = json.loads(obj.Result)["timings_s"]
+    return 1.0 + sum(value or 0.0 for value in timings.values())

@@ -1,0 +1,152 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""How a partition is seen: the source's faces coloured, or the mesh with a colour a facet."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from pivy import coin
+
+from gpswb.errors import GpswbError
+from gpswb.gui import compat, preferences
+from gpswb.gui.colouring import COLOUR_BY, Colouring, colouring
+from gpswb.gui.compat import QtCore
+from gpswb.gui.facet_nodes import facet_nodes
+from gpswb.gui.icons import icon
+from gpswb.gui.objects.feature import features
+from gpswb.gui.objects.partition import STALE, effective_result, partitions, stored_datums
+from gpswb.gui.panels.legend import refresh_legend
+from gpswb.gui.source_colours import restore_colours, show_colours, watch
+
+FACES, FACETS = "Faces", "Facets"
+
+
+class PartitionView:
+    """Behaviour of the view."""
+
+    def __init__(self, view: Any) -> None:
+        _add_properties(view)
+        compat.add_group_view(view)
+        view.Proxy = self
+        watch()
+
+    def attach(self, view: Any) -> None:
+        """Make the two display modes."""
+        watch()
+        self.obj = view.Object
+        self.mesh = coin.SoSeparator()
+        self.found: Colouring | None = None
+        view.addDisplayMode(coin.SoSeparator(), FACES)
+        view.addDisplayMode(self.mesh, FACETS)
+
+    def getDisplayModes(self, view: Any) -> list[str]:
+        return [FACES, FACETS]
+
+    def getDefaultDisplayMode(self) -> str:
+        return FACES
+
+    def setDisplayMode(self, mode: str) -> str:
+        return mode
+
+    def updateData(self, obj: Any, name: str) -> None:
+        """Follow the object: ``Status`` is the last property that a run sets."""
+        if name in ("Status", "Datums") and hasattr(obj.ViewObject, "ColourBy"):
+            self.show(obj.ViewObject)
+
+    def onChanged(self, view: Any, name: str) -> None:
+        """Follow the view's own properties."""
+        if name in ("Visibility", "ColourBy", "DisplayMode") and hasattr(view, "UserColours"):
+            self.show(view)
+
+    def show(self, view: Any) -> None:
+        """Show what the properties say; what is hidden or stale gives the user's colours back."""
+        if view.Object.Document.Restoring:
+            return
+        found = _colours_of(view) if view.Visibility else None
+        self.found = found
+        self.mesh.removeAllChildren()
+        QtCore.QTimer.singleShot(0, refresh_legend)
+        if found is None:
+            restore_colours(view)
+            _show_source(view, True)
+            return
+        for other in partitions(view.Object.Document):
+            if other is not view.Object and other.Source is view.Object.Source:
+                other.ViewObject.Visibility = False
+        if view.DisplayMode == FACETS:
+            restore_colours(view)
+            mesh = effective_result(view.Object)[0].solid.mesh
+            self.mesh.addChild(facet_nodes(mesh, found.facet_colours))
+            _show_source(view, False)
+        else:
+            show_colours(view, found.face_colours)
+            _show_source(view, True)
+
+    def onDelete(self, view: Any, subelements: Any) -> bool:
+        """Give the user's colours back and take the features along."""
+        restore_colours(view)
+        _show_source(view, True)
+        for feature in features(view.Object):
+            view.Object.Document.removeObject(feature.Name)
+        return True
+
+    def doubleClicked(self, view: Any) -> bool:
+        """Open the panel, to run it again."""
+        from gpswb.gui.panels.partition import PartitionPanel
+        from gpswb.gui.panels.show import show_panel
+
+        show_panel(PartitionPanel(partition=view.Object))
+        return True
+
+    def getIcon(self) -> str:
+        """The wheel, faded where the result is out of date."""
+        stale = getattr(self.obj, "Status", "") == STALE
+        return icon("GPS_Partition_stale" if stale else "GPS_Partition")
+
+    def dumps(self) -> None:
+        return None
+
+    def loads(self, state: Any) -> None:
+        return None
+
+    __getstate__ = dumps
+    __setstate__ = loads
+
+
+def _colours_of(view: Any) -> Colouring | None:
+    """The colours that a partition shows; None where it has none, or they are another part's."""
+    obj = view.Object
+    if not obj.Result or obj.Source is None:
+        return None
+    if len(obj.Classes) != len(obj.Source.Shape.Faces):
+        return None
+    try:
+        stored, _ = effective_result(obj)
+        return colouring(stored, view.ColourBy, preferences.palette(), stored_datums(obj))
+    except GpswbError as error:
+        compat.warn(str(error))
+        return None
+
+
+def _add_properties(view: Any) -> None:
+    if hasattr(view, "UserColours"):
+        return
+    view.addProperty("App::PropertyEnumeration", "ColourBy", "GPS", "What the colours show")
+    view.ColourBy = list(COLOUR_BY)
+    text = "Whether the part was hidden to show its mesh"
+    view.addProperty("App::PropertyBool", "HidSource", "GPS", text)
+    text = "The user's own colours of the source's faces, while ours are shown"
+    view.addProperty("App::PropertyColorList", "UserColours", "GPS", text)
+    for name in ("HidSource", "UserColours"):
+        view.setEditorMode(name, 2)
+
+
+def _show_source(view: Any, wanted: bool) -> None:
+    """Hide the source where its mesh is shown; show it again only if it was us who hid it."""
+    source = getattr(view.Object.Source, "ViewObject", None)
+    if source is None:
+        return
+    if not wanted and source.Visibility:
+        view.HidSource, source.Visibility = True, False
+    elif wanted and view.HidSource:
+        view.HidSource, source.Visibility = False, True

@@ -1,0 +1,272 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The panel that partitions a part: density, mode, count of triangles, run, cancel."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import FreeCAD
+import FreeCADGui
+
+from gpswb.errors import GpswbError, InputError
+from gpswb.gui import compat, preferences
+from gpswb.gui.compat import QT_TRANSLATE_NOOP, QtCore, QtWidgets, translate
+from gpswb.gui.objects.partition import (
+    check_density,
+    finish_run,
+    make_partition,
+    start_run,
+    usable_source,
+)
+from gpswb.gui.panels.density import DensityWidget, let_shrink
+from gpswb.gui.panels.show import close_panel
+from gpswb.gui.panels.watch import Slices, Watch
+from gpswb.gui.runs import Run
+
+_MODES = {
+    "robust": QT_TRANSLATE_NOOP("GPS", "Robust: consensus of vertex positions"),
+    "corrected": QT_TRANSLATE_NOOP("GPS", "Corrected: the paper's flow, errors mended"),
+    "paper": QT_TRANSLATE_NOOP("GPS", "Paper: as printed"),
+}
+_STAGES = {
+    "read": QT_TRANSLATE_NOOP("GPS", "Reading the shape"),
+    "tessellate": QT_TRANSLATE_NOOP("GPS", "Meshing"),
+    "curvature": QT_TRANSLATE_NOOP("GPS", "Curvature and shape types"),
+    "initial": QT_TRANSLATE_NOOP("GPS", "Initial regions"),
+    "refine": QT_TRANSLATE_NOOP("GPS", "Refined regions"),
+    "recognise": QT_TRANSLATE_NOOP("GPS", "Recognition"),
+    "validate": QT_TRANSLATE_NOOP("GPS", "Comparison with CAD"),
+    "store": QT_TRANSLATE_NOOP("GPS", "Storing the result"),
+}
+_ORDER = tuple(_STAGES)
+_COUNT_DELAY_MS = 400
+"""After the last change of the density, before the shape is meshed to count its triangles."""
+
+
+class PartitionPanel:
+    """A task panel; see FreeCAD's ``Gui.Control.showDialog``.
+
+    The count of triangles is no estimate: the shape is meshed beside the window, as a run would.
+
+    Args:
+        source: the part; None lets the user pick one.
+        partition: run this one again.
+    """
+
+    def __init__(self, source: Any = None, partition: Any = None) -> None:
+        self.partition = partition
+        self.source = partition.Source if partition else source
+        self.watch: Watch | Slices | None = None
+        self._run: Run | None = None
+        self._count: Watch | None = None
+        self._build(partition)
+        self._timer = QtCore.QTimer()
+        self._timer.setSingleShot(True)
+        self._timer.timeout.connect(self._start_count)
+        FreeCADGui.Selection.addObserver(self)
+        self._show_source()
+
+    # -- what FreeCAD asks for --
+
+    def getStandardButtons(self) -> int:
+        return compat.standard_buttons("Ok", "Cancel")
+
+    def modifyStandardButtons(self, box: Any) -> None:
+        """FreeCAD hands over its button box."""
+        self.button = box.button(QtWidgets.QDialogButtonBox.Ok)
+        self.button.setText(translate("GPS", "Partition"))
+        self._show_source()
+
+    def accept(self) -> bool:
+        """Start the run; the panel closes when it has ended well."""
+        if self._run is None and self.source is not None:
+            self._start()
+        return False
+
+    def reject(self) -> bool:
+        """Cancel: nothing of a run that has not ended is left."""
+        self._stop()
+        close_panel()
+        return True
+
+    def addSelection(self, document: str, name: str, sub: str, point: Any) -> None:
+        """The user has clicked something: take it as the part, if it is one."""
+        if self.partition is not None or self._run is not None:
+            return
+        obj = FreeCAD.getDocument(document).getObject(name)
+        try:
+            self.source = usable_source(obj)
+        except InputError:
+            return
+        self._show_source()
+
+    # -- the form --
+
+    def _build(self, partition: Any) -> None:
+        self.form = QtWidgets.QWidget()
+        self.form.setWindowTitle(translate("GPS", "Partition"))
+        self.form.setWindowIcon(compat.QtGui.QIcon(_icon()))
+        self.part = QtWidgets.QLabel()
+        self.part.setWordWrap(True)
+        self.density = DensityWidget(
+            partition.Density if partition else preferences.default_density()
+        )
+        self.mode = QtWidgets.QComboBox()
+        let_shrink(self.mode)
+        for mode, text in _MODES.items():
+            self.mode.addItem(translate("GPS", text), mode)
+        mode = partition.Mode if partition else preferences.default_mode()
+        self.mode.setCurrentIndex(self.mode.findData(mode))
+        self.count = QtWidgets.QLabel()
+        self.count.setWordWrap(True)
+        self.bar = QtWidgets.QProgressBar()
+        self.bar.setRange(0, 100)
+        self.message = QtWidgets.QLabel()
+        self.message.setWordWrap(True)
+        self.inputs = QtWidgets.QWidget()
+        rows = QtWidgets.QFormLayout(self.inputs)
+        rows.setContentsMargins(0, 0, 0, 0)
+        rows.addRow(translate("GPS", "Part"), self.part)
+        rows.addRow(translate("GPS", "Density"), self.density)
+        rows.addRow(translate("GPS", "Triangles"), self.count)
+        rows.addRow(translate("GPS", "Mode"), self.mode)
+        layout = QtWidgets.QVBoxLayout(self.form)
+        layout.addWidget(self.inputs)
+        layout.addWidget(self.bar)
+        layout.addWidget(self.message)
+        layout.addStretch()
+        self.bar.hide()
+        self.density.changed.connect(self._density_changed)
+
+    def _show_source(self) -> None:
+        if self.source is None:
+            self.part.setText(translate("GPS", "click a part in the 3-D view or the tree"))
+        else:
+            faces = translate("GPS", "{} faces").format(len(self.source.Shape.Faces))
+            self.part.setText(f"<b>{_plain(self.source.Label)}</b>, {faces}")
+        if hasattr(self, "button"):
+            self.button.setEnabled(self.source is not None)
+        self._density_changed()
+
+    # -- the count of triangles --
+
+    def _density_changed(self) -> None:
+        self._stop_count()
+        self.count.setText("…" if self.source is not None else "")
+        if self.source is not None and hasattr(self, "_timer"):
+            self._timer.start(_COUNT_DELAY_MS)
+
+    def _start_count(self) -> None:
+        try:
+            check_density(self.density.density())
+            run = Run(
+                "count_triangles", self.source.Shape, self.source.Label, self.density.density()
+            )
+        except GpswbError as error:
+            self.count.setText(str(error))
+            return
+        self.count.setText(translate("GPS", "counting …"))
+        self._count = Watch(run, self._counted, self._not_counted)
+
+    def _counted(self, found: dict[str, Any]) -> None:
+        self._stop_count()
+        self.count.setText(f"{found['triangles']:,} ({found['mesher']})".replace(",", "\u202f"))
+
+    def _not_counted(self, why: str) -> None:
+        self._stop_count()
+        self.count.setText(why)
+
+    def _stop_count(self) -> None:
+        if hasattr(self, "_timer"):
+            self._timer.stop()
+        if self._count is not None:
+            self._count.stop()
+            self._count = None
+
+    # -- the run --
+
+    def _start(self) -> None:
+        self._stop_count()
+        self.message.clear()
+        try:
+            self._run = start_run(self.source, self.density.density(), self.mode.currentData())
+        except GpswbError as error:
+            self._failed(str(error))
+            return
+        self.inputs.setEnabled(False)
+        self.button.setEnabled(False)
+        self.bar.setValue(0)
+        self.bar.show()
+        self.watch = Watch(self._run, self._ran, self._failed, self._progress)
+
+    def _progress(self, stage: str, share: float) -> None:
+        if stage in _ORDER:
+            step = 100 / len(_ORDER)
+            self.bar.setValue(int(step * (_ORDER.index(stage) + share)))
+            self.message.setText(translate("GPS", _STAGES[stage]))
+
+    def _ran(self, document: dict[str, Any]) -> None:
+        """The process has ended well: from here on the document changes, as one step to undo."""
+        assert self._run is not None
+        self.bar.setRange(0, 0)
+        self.message.setText(translate("GPS", "Storing the result"))
+        target = self.source.Document
+        target.openTransaction(translate("GPS", "Partition"))
+        try:
+            if self.partition is None:
+                obj = make_partition(
+                    self.source, self.density.density(), self.mode.currentData(), compute=False
+                )
+            else:
+                obj = self.partition
+                obj.Density, obj.Mode = self.density.density(), self.mode.currentData()
+        except GpswbError as error:
+            self._failed(str(error))
+            return
+        work = finish_run(obj, document, self._run.folder / "labels.npz")
+        self.watch = Slices(work, lambda: self._stored(obj), self._failed)
+
+    def _stored(self, obj: Any) -> None:
+        from gpswb.gui.panels.legend import show_legend
+
+        obj.Document.commitTransaction()
+        self._end_run()
+        FreeCADGui.Selection.removeObserver(self)
+        close_panel()
+        FreeCADGui.Selection.clearSelection()  # a selected part hides its colours
+        show_legend()
+
+    def _failed(self, why: str) -> None:
+        if self.source is not None:
+            self.source.Document.abortTransaction()
+        self._end_run()
+        self.bar.hide()
+        self.bar.setRange(0, 100)
+        self.inputs.setEnabled(True)
+        self.button.setEnabled(True)
+        self.message.setText(f"<span style='color:#c00000'>{_plain(why)}</span>")
+
+    def _stop(self) -> None:
+        self._stop_count()
+        FreeCADGui.Selection.removeObserver(self)
+        if self.watch is not None:
+            self.watch.stop()
+            if isinstance(self.watch, Slices):
+                self.source.Document.abortTransaction()
+        self._end_run()
+
+    def _end_run(self) -> None:
+        if self._run is not None:
+            self._run.close()
+        self._run = self.watch = None
+
+
+def _plain(text: str) -> str:
+    """A text that stands for itself where a label reads HTML."""
+    return text.replace("&", "&amp;").replace("<", "&lt;")
+
+
+def _icon() -> str:
+    from gpswb.gui.icons import icon
+
+    return icon("GPS_Partition")
