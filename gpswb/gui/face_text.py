@@ -11,6 +11,7 @@ from gpswb.core.partition import Region
 from gpswb.errors import InputError
 from gpswb.gui.compat import QT_TRANSLATE_NOOP, translate
 from gpswb.io.stored_result import StoredResult
+from gpswb.validation.face_result import FaceResult
 
 _NAMES = {
     "radius": QT_TRANSLATE_NOOP("GPS", "Radius"),
@@ -73,9 +74,9 @@ def quantity(value: float, unit: Any) -> str:
     return str(FreeCAD.Units.Quantity(round(value, 9) + 0.0, unit).UserString)
 
 
-def _agreement(face: Any) -> str:
+def _agreement(face: FaceResult) -> str:
     if face.true_class is None:
-        return translate("GPS", "no CAD class")
+        return str(translate("GPS", "no CAD class"))
     text = translate("GPS", "agrees") if face.agrees else translate("GPS", "disagrees")
     share = translate("GPS", "{} % of its area").format(int(100 * face.share))
     disputed = ", " + translate("GPS", "the CAD class is disputed") if face.ambiguous else ""

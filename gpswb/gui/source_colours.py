@@ -12,9 +12,8 @@ from collections.abc import Sequence
 from typing import Any
 
 import FreeCAD
-import FreeCADGui
 
-from gpswb.gui import compat
+from gpswb.gui import compat, preferences
 from gpswb.gui.compat import Colour
 
 
@@ -56,17 +55,15 @@ class _Observer:
             restore_colours(view)
 
     def slotFinishSaveDocument(self, document: Any, path: str) -> None:
-        """After it: what is shown is ours again, and the document is still saved."""
-        views = _views(document)
-        for view in views:
-            view.Proxy.show(view)
-        if views:
-            FreeCADGui.getDocument(document.Name).Modified = False
-
-    def slotFinishRestoreDocument(self, document: Any) -> None:
-        """After a file has been opened."""
+        """After it: what is shown is ours again."""
         for view in _views(document):
             view.Proxy.show(view)
+
+    def slotActivateDocument(self, document: Any) -> None:
+        """A file has been opened, or another document is at work: its views are complete now."""
+        for view in _views(document):
+            if view.Proxy.found is None:
+                view.Proxy.show(view)
 
 
 def _views(document: Any) -> list[Any]:
@@ -76,11 +73,24 @@ def _views(document: Any) -> list[Any]:
     return [view for view in views if view is not None and hasattr(view.Proxy, "show")]
 
 
+class _Palette:
+    """Shows a palette as soon as it is chosen."""
+
+    def onChange(self, group: Any, name: str) -> None:
+        """FreeCAD tells that a preference has changed."""
+        if name == "Palette":
+            for document in FreeCAD.listDocuments().values():
+                for view in _views(document):
+                    view.Proxy.recolour(view)
+
+
 def watch() -> None:
-    """Start to keep our colours out of saved files; once is enough."""
+    """Start to keep our colours out of saved files and to follow the preferences, once."""
     if not _observers:
-        _observers.append(_Observer())
-        FreeCAD.addDocumentObserver(_observers[0])
+        documents, palette, group = _Observer(), _Palette(), FreeCAD.ParamGet(preferences.PATH)
+        FreeCAD.addDocumentObserver(documents)
+        group.Attach(palette)
+        _observers.extend([documents, palette, group])
 
 
-_observers: list[_Observer] = []
+_observers: list[Any] = []

@@ -82,6 +82,12 @@ class PartitionView:
             show_colours(view, found.face_colours)
             _show_source(view, True)
 
+    def recolour(self, view: Any) -> None:
+        """Take the colours that the preferences say, features too."""
+        self.show(view)
+        for feature in features(view.Object):
+            feature.ViewObject.Proxy.recolour(feature.ViewObject)
+
     def onDelete(self, view: Any, subelements: Any) -> bool:
         """Give the user's colours back and take the features along."""
         restore_colours(view)
