@@ -8,13 +8,13 @@ import tempfile
 from pathlib import Path
 from typing import Any
 
+from gpswb.batch.one_part import examine
+from gpswb.batch.settings import Settings
 from gpswb.cad.density import Density
 from gpswb.cad.isolate import IsolatedJob, job_progress
 from gpswb.cad.read import read_solid
-from gpswb.core.pipeline import partition
 from gpswb.io.labels_npz import write_labels
 from gpswb.io.result_json import result_document
-from gpswb.validation.validate import validate
 
 
 class Run:
@@ -60,14 +60,11 @@ class Run:
 def partition_shape(folder: str, label: str, density: str, mode: str) -> dict[str, Any]:
     """Job: partition ``shape.brep``; leaves ``labels.npz`` and returns the result's document."""
     tell = job_progress()
-    solid = read_solid(Path(folder, "shape.brep"), Density.parse(density), "freecad", tell)
-    solid = dataclasses.replace(solid, source=label)
-    result = partition(solid.mesh, mode=mode, progress=tell)  # type: ignore[arg-type]
-    tell("validate", 0.0)
-    judged = validate(result, solid.facemap) if solid.facemap else None
+    outcome = examine(Path(folder, "shape.brep"), _settings(density, mode), tell)
     tell("store", 0.0)
-    write_labels(Path(folder, "labels.npz"), result, solid.facemap)
-    return result_document(solid, result, judged)
+    write_labels(Path(folder, "labels.npz"), outcome.partition, outcome.solid.facemap)
+    solid = dataclasses.replace(outcome.solid, source=label)
+    return result_document(solid, outcome.partition, outcome.validation)
 
 
 def count_triangles(folder: str, label: str, density: str) -> dict[str, Any]:
@@ -84,20 +81,24 @@ def sweep_densities(
     rows = []
     for i, density in enumerate(densities):
         tell(density, i / len(densities))
-        solid = read_solid(Path(folder, "shape.brep"), Density.parse(density), "freecad")
-        assert solid.facemap is not None
-        result = partition(solid.mesh, mode=mode)  # type: ignore[arg-type]
-        judged = validate(result, solid.facemap)
+        outcome = examine(Path(folder, "shape.brep"), _settings(density, mode))
+        result, judged = outcome.partition, outcome.validation
+        assert judged is not None
+        seconds = sum([*outcome.solid.timings.values(), *result.timings.values()])
         rows.append(
             {
                 "density": density,
-                "triangles": len(solid.mesh.triangles),
+                "triangles": len(result.mesh.triangles),
                 "initial_regions": result.initial_region_count,
                 "regions": len(result.regions),
                 "area_accuracy": judged.area_accuracy,
                 "face_accuracy": judged.face_accuracy,
                 "region_f1": judged.region_f1,
-                "seconds": round(sum(solid.timings.values()) + sum(result.timings.values()), 3),
+                "seconds": round(seconds, 3),
             }
         )
     return rows
+
+
+def _settings(density: str, mode: str) -> Settings:
+    return Settings(Density.parse(density), mode, "hybrid", "freecad")  # type: ignore[arg-type]

@@ -35,7 +35,6 @@ _STAGES = {
     "initial": QT_TRANSLATE_NOOP("GPS", "Initial regions"),
     "refine": QT_TRANSLATE_NOOP("GPS", "Refined regions"),
     "recognise": QT_TRANSLATE_NOOP("GPS", "Recognition"),
-    "validate": QT_TRANSLATE_NOOP("GPS", "Comparison with CAD"),
     "store": QT_TRANSLATE_NOOP("GPS", "Storing the result"),
 }
 _ORDER = tuple(_STAGES)
