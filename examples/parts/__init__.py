@@ -6,6 +6,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from parts.benchmark_part import benchmark_part
+from parts.blade import blade
 from parts.bracket import bracket
 from parts.made import MadePart
 from parts.multi_solid import multi_solid
@@ -21,6 +22,7 @@ PARTS: dict[str, Callable[[], MadePart]] = {
     "revolution_part": revolution_part,
     "bracket": bracket,
     "benchmark_part": benchmark_part,
+    "blade": blade,
     "thread": thread,
     "spline_prism": spline_prism,
     "multi_solid": multi_solid,

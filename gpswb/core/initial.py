@@ -96,6 +96,15 @@ def initial_partition(
     )
 
 
+def unvoted_types(mesh: Mesh, sigma: float, tolerances: Tolerances | None = None) -> IntArray:
+    """(m,) shape type of each facet before voting, for a picture of what voting mends."""
+    tolerances = tolerances or Tolerances()
+    wedges = find_wedges(mesh, feature_edges(mesh, tolerances))
+    normals = wedge_normals(mesh, wedges)
+    curvature = estimate_curvature(mesh, wedges, normals, sweeps=noise_sweeps(mesh, sigma))
+    return _facet_types(mesh, wedges, curvature, sigma, tolerances)
+
+
 def noise_sweeps(mesh: Mesh, sigma: float) -> int:
     """Averaging sweeps that a noise asks for: none on a nominal mesh, at most 12.
 

@@ -71,7 +71,7 @@ def _triptych(part: Labelled, outlined: IntArray, focus: Focus | None) -> Image:
     for colours in (
         palette[np.array([*true, -1])[part.face]],
         palette[part.label],
-        _distinct(part.region),
+        distinct(part.region),
     ):
         image = np.where(seen[..., None] >= 0, (colours * shade[:, None])[seen], BACKGROUND)
         image[lines] = BORDER
@@ -80,7 +80,7 @@ def _triptych(part: Labelled, outlined: IntArray, focus: Focus | None) -> Image:
     return np.concatenate(images, axis=1)
 
 
-def _distinct(label: IntArray) -> FloatArray:
+def distinct(label: IntArray) -> FloatArray:
     """(m, 3) colours that tell neighbouring numbers apart; grey for -1."""
     turns = label[:, None] * 0.381966 + np.array([0.0, 1 / 3, 2 / 3])  # the golden angle
     bright = 150.0 + 35.0 * (label[:, None] % 3 - 1)

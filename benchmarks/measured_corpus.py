@@ -1,0 +1,123 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Section corpus: labelled meshes and clouds, and a look at unlabelled ones."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+from measured_labels import abc_labels, fit4cad_labels
+from measured_pictures import by_class, by_region, occurring, panels, render
+from measured_runs import Run, run
+
+from gpswb.cad.solid import Solid
+from gpswb.core.invariance import CLASSES
+from gpswb.core.mesh import Mesh
+from gpswb.io.measured_file import read_measured
+from gpswb.scan.point_regions import largest_region
+
+UNLABELLED = ("fandisk.off", "casting.off", "rocker-arm.off", "propeller.stl", "cycloidal.ply")
+TOWARD = (-0.6, 0.9, -0.6)
+
+
+def corpus_section(corpus: Path, images: Path) -> str:
+    """Markdown of the whole section."""
+    lines = ["## Labelled meshes and clouds", "", "Made by `./gps measured corpus`.", ""]
+    lines += ["| file | of | labelled | right | vertices | regions | CPU s |"]
+    lines += ["|---|---|---:|---:|---:|---:|---:|"]
+    wrong: list[str] = []
+    for path in sorted((corpus / "mesh").glob("abc_*.obj")):
+        solid = read_measured(path, "mm")
+        right = abc_labels(path, solid.mesh)
+        found = run(solid.mesh)
+        lines.append(_row(path.name, "area", found, solid, right, solid.mesh.areas, wrong))
+    for path in sorted((corpus / "cloud").glob("PC*.txt")):
+        if "_" in path.stem:
+            continue
+        solid = read_measured(path, "mm")
+        assert solid.pointmap is not None
+        right = fit4cad_labels(path, len(solid.pointmap.points))
+        found = run(solid.mesh)
+        ones = np.ones(len(right))
+        lines.append(_row(path.name, "points", found, solid, right, ones, wrong))
+    lines += ["", "What was taken for what, share of the labelled area or points:", "", *wrong, ""]
+    lines += _unlabelled(corpus, images)
+    return "\n".join(lines)
+
+
+def _row(
+    name: str, of: str, found: Run | None, solid: Solid, right: np.ndarray,
+    weight: np.ndarray, wrong: list[str],
+) -> str:  # fmt: skip
+    labelled = right.any(axis=1)
+    share = weight[labelled].sum() / weight.sum()
+    vertices = len(solid.mesh.vertices)
+    if found is None:
+        return f"| {name} | {of} | {share:.4f} | not done in time | {vertices:,} | | |"
+    label = found.label
+    if solid.pointmap is not None:
+        area = np.bincount(found.region[found.region >= 0], solid.mesh.areas[found.region >= 0])
+        region = largest_region(solid.mesh, found.region, area, solid.pointmap.vertex_of_point)
+        first = np.full(len(area) + 1, -1)
+        first[found.region] = found.label
+        label = np.where(region >= 0, first[region], -1)
+    good = labelled & (label >= 0) & right[np.arange(len(label)), label]
+    score = weight[good].sum() / weight[labelled].sum()
+    pairs: dict[tuple[str, str], float] = {}
+    for i in np.flatnonzero(labelled & ~good):
+        true = " or ".join(CLASSES[k] for k in np.flatnonzero(right[i]))
+        taken = CLASSES[label[i]] if label[i] >= 0 else "none"
+        pairs[true, taken] = pairs.get((true, taken), 0.0) + weight[i] / weight[labelled].sum()
+    worst = sorted(pairs.items(), key=lambda item: -item[1])[:4]
+    said = ", ".join(f"{true} as {taken} {100 * part:.2f} %" for (true, taken), part in worst)
+    wrong.append(f"- {name}: {said or 'nothing'}")
+    facts = found.facts
+    return (
+        f"| {name} | {of} | {share:.4f} | {score:.4f} | {vertices:,} | {facts['regions']} | "
+        f"{facts['seconds']:.0f} |"
+    )
+
+
+def _unlabelled(corpus: Path, images: Path) -> list[str]:
+    lines = [
+        "### Without labels",
+        "",
+        "Share of the area by class; ![regions and classes](images/measured_corpus.png)",
+        "",
+    ]
+    lines += ["| file | triangles | noise σ / diagonal | initial | regions | classes | CPU s |"]
+    lines += ["|---|---:|---:|---:|---:|---|---:|"]
+    shown, labels = [], []
+    for name in UNLABELLED:
+        path = corpus / "mesh" / name
+        solid = read_measured(path, "mm")
+        found = run(solid.mesh)
+        n = len(solid.mesh.triangles)
+        if found is None:
+            lines.append(f"| {name} | {n:,} | | | not done in time | | |")
+            continue
+        area = np.bincount(found.label + 1, solid.mesh.areas, minlength=8) / solid.mesh.areas.sum()
+        order = [k for k in np.argsort(-area) if area[k] >= 0.005]
+        said = ", ".join(f"{(['none', *CLASSES])[k]} {100 * area[k]:.1f} %" for k in order)
+        facts = found.facts
+        lines.append(
+            f"| {name} | {n:,} | {facts['sigma']:.1e} | {facts['initial']} | {facts['regions']} | "
+            f"{said} | {facts['seconds']:.0f} |"
+        )
+        shown.append(
+            [
+                (
+                    f"{name}: {facts['regions']} regions",
+                    _picture(solid.mesh, by_region(found.region)),
+                ),
+                ("classes", _picture(solid.mesh, by_class(found.label))),
+            ]
+        )
+        labels.append(found.label)
+    if shown:
+        panels(images / "measured_corpus.png", shown, occurring(*labels))
+    return [*lines, ""]
+
+
+def _picture(mesh: Mesh, colours: np.ndarray) -> np.ndarray:
+    return render(mesh, colours, TOWARD)
