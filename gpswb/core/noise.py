@@ -5,72 +5,127 @@ from __future__ import annotations
 
 import numpy as np
 from scipy.sparse import csr_matrix
+from scipy.special import chdtri
 
-from gpswb.core.curvature import tangent_frame
-from gpswb.core.mesh import FloatArray, Mesh
-from gpswb.core.reference import spread
-from gpswb.core.wedges import Wedges
+from gpswb.core.mesh import BoolArray, FloatArray, IntArray, Mesh
+from gpswb.core.reference import axis_frame, spread
 
-_SAMPLES = 2000
-_MOST = 24
-_SHAPE = 0.1  # a rest below this share of kappa^2 r^3 may be the surface's own shape
+SAMPLES = 1000
+"""Vertices around which surfaces are fitted: the estimate's own scatter is below one percent."""
+
+RINGS = ((2, 2, 20), (3, 4, 40))
+"""Edges from the vertex, degree of the polynomial, and most vertices used, of the two fits."""
+
+SHAPE = 0.2
+"""What a polynomial of degree four leaves of what one of degree two leaves, at least, where that is
+noise: both leave all of it. On a smooth surface less than a tenth is left, even when three edges
+span 50 degrees."""
+
+QUARTER = 0.25
+"""Where a quarter of the fits leave nothing, vertices lie on surfaces and there is no noise."""
+
+LOW = 0.1
+"""Quantile of the variances that is taken for undisturbed by creases, to begin with."""
+
+CLEAN = 2.5
+"""Standard deviations beyond the mean up to which a variance counts as undisturbed."""
 
 
-def estimate_noise(mesh: Mesh, wedges: Wedges, normals: FloatArray) -> float:
+def estimate_noise(mesh: Mesh) -> float:
     """Standard deviation of the vertices across the surface, mm.
 
-    At sampled vertices away from creases a full quadric of the tangent plane is fitted to the two
-    rings around; what is left, with the six fitted degrees of freedom taken off, is noise, unless
-    it is so small beside the curvature that it may be the surface's third derivatives. The lower
-    quartile over the samples is taken: the flattest quarter of the part decides, on which a nominal
-    mesh leaves rounding only.
+    Around sampled vertices a quadric is fitted to the two rings of neighbours, and a polynomial of
+    degree four to three; the variances that are left, over their degrees of freedom, are noise
+    unless the higher degree leaves much less: then it is the surface's own shape. Creases only
+    raise the variance: of all the fits those count that agree, by the chi-square distribution, with
+    the lowest.
 
     Args:
         mesh: the mesh.
-        wedges: corners joined across smooth edges.
-        normals: (w, 3) their normals.
 
     Returns:
-        sigma >= 0; 0 where no vertex has enough neighbours.
+        sigma >= 0; 0 where no vertex has enough neighbours, or a quarter of the fits leave nothing.
     """
     n = len(mesh.vertices)
     ends = mesh.pair_edges
     row, col = np.concatenate([ends, ends[:, ::-1]]).T
     graph = csr_matrix((np.ones(len(row)), (row, col)), shape=(n, n))
-    creased = (np.bincount(wedges.vertex, minlength=n) > 1).astype(np.float64)
-    inner = (creased == 0.0) & (graph @ creased == 0.0) & (np.diff(graph.indptr) >= 4)
-    candidates = np.flatnonzero(inner)
+    degree = np.diff(graph.indptr)
+    candidates = np.flatnonzero(degree >= 4)
     if not len(candidates):
         return 0.0
-    chosen = candidates[spread(len(candidates), _SAMPLES)]
-    rings = (graph[chosen] + graph[chosen] @ graph).tocsr()
-    degree = np.diff(rings.indptr)
-    chosen, start, degree = (a[degree >= 10] for a in (chosen, rings.indptr[:-1], degree))
-    if not len(chosen):
+    chosen = candidates[spread(len(candidates), SAMPLES)]
+    frame = _frames(mesh, chosen, graph)
+    near = graph[chosen] + graph[chosen] @ graph
+    quadric, freedom = _variance(mesh, chosen, frame, near.tocsr(), *RINGS[0][1:])
+    wide = (near + near @ graph).tocsr()
+    quartic, _ = _variance(mesh, chosen, frame, wide, *RINGS[1][1:])
+    plain, _ = _variance(mesh, chosen, frame, wide, 2, RINGS[1][2])
+    variance = np.where(quartic < SHAPE**2 * plain, 0.0, np.fmin(quadric, quartic))
+    known = np.isfinite(quadric)
+    variance, freedom = variance[known], freedom[known]
+    if not len(variance):
         return 0.0
-    slot = np.arange(_MOST)
-    count = np.minimum(degree, _MOST)
-    # Rings longer than that are thinned evenly.
-    pick = np.minimum(slot * degree[:, None] // count[:, None], degree[:, None] - 1)
-    near = rings.indices[start[:, None] + pick]
-    present = (slot < count[:, None]).astype(np.float64)
-    wedge = np.zeros(n, dtype=np.int64)
-    wedge[wedges.vertex] = np.arange(wedges.count)
-    normal = normals[wedge[chosen]]
-    ray = mesh.vertices[near] - mesh.vertices[chosen][:, None]
-    height = np.einsum("ski,si->sk", ray, normal)
-    u, v = tangent_frame(normal)
-    x, y = np.einsum("ski,si->sk", ray, u), np.einsum("ski,si->sk", ray, v)
-    scale = np.maximum(np.sqrt((x**2 + y**2).max(axis=1, keepdims=True)), 1e-300)
-    x, y = x / scale, y / scale
-    design = np.stack([np.ones_like(x), x, y, x * x, x * y, y * y], axis=2) * present[:, :, None]
+    nothing = variance <= (1e-7 * mesh.diagonal) ** 2
+    if nothing.mean() >= QUARTER:
+        return 0.0
+    return float(np.sqrt(_agreeing(variance[~nothing], freedom[~nothing])))
+
+
+def _agreeing(variance: FloatArray, freedom: FloatArray) -> float:
+    """Mean of the variances that are scattered as those of one sigma are."""
+    ratio = variance * freedom / chdtri(freedom, 1.0 - LOW)
+    sigma2 = float(np.quantile(ratio, LOW))
+    for _ in range(20):
+        clean = variance <= sigma2 * (1.0 + CLEAN * np.sqrt(2.0 / freedom))
+        if not clean.any():
+            break
+        better = float(np.average(variance[clean], weights=freedom[clean]))
+        if abs(better - sigma2) <= 1e-6 * sigma2:
+            break
+        sigma2 = better
+    return sigma2
+
+
+def _frames(mesh: Mesh, chosen: IntArray, graph: csr_matrix) -> FloatArray:
+    """(s, 3, 3) frames with the mean normal of the facets one edge around as last row."""
+    n = len(mesh.vertices)
+    share = np.zeros((n, 3))
+    for k in range(3):
+        np.add.at(share, mesh.triangles[:, k], mesh.facet_normals * mesh.areas[:, None])
+    mean = share[chosen] + graph[chosen] @ share
+    length = np.linalg.norm(mean, axis=1)
+    mean[length <= 0.0] = [0.0, 0.0, 1.0]
+    return np.array([axis_frame(direction) for direction in mean])
+
+
+def _variance(
+    mesh: Mesh, chosen: IntArray, frame: FloatArray, rings: csr_matrix, degree: int, most: int
+) -> tuple[FloatArray, FloatArray]:
+    """Variance (s,) that a polynomial leaves, NaN without freedom, and its degrees of freedom."""
+    count = np.diff(rings.indptr)
+    used = np.minimum(count, most)
+    slot = np.arange(most)
+    # Longer rings are thinned evenly.
+    pick = slot * count[:, None] // np.maximum(used, 1)[:, None]
+    pick = np.minimum(pick, np.maximum(count - 1, 0)[:, None])
+    near = rings.indices[np.minimum(rings.indptr[:-1, None] + pick, len(rings.indices) - 1)]
+    present: BoolArray = slot < used[:, None]
+    local = np.einsum(
+        "ski,sci->skc", mesh.vertices[near] - mesh.vertices[chosen][:, None], frame
+    )
+    x, y, height = np.moveaxis(local, 2, 0)
+    scale = np.where(present, np.hypot(x, y), 0.0).max(axis=1, keepdims=True)
+    x, y = x / np.maximum(scale, 1e-300), y / np.maximum(scale, 1e-300)
+    terms = [x**i * y**j for i in range(degree + 1) for j in range(degree + 1 - i)]
+    design = np.stack(terms, axis=2) * present[:, :, None]
     height = height * present
-    gram = np.swapaxes(design, 1, 2) @ design + 1e-9 * np.eye(6)
+    gram = np.swapaxes(design, 1, 2) @ design + 1e-9 * np.eye(len(terms))
     right = np.einsum("skc,sk->sc", design, height)
     fitted = np.linalg.solve(gram, right[:, :, None])[:, :, 0]
     rest = height - np.einsum("skc,sc->sk", design, fitted)
-    variance = (rest**2).sum(axis=1) / np.maximum(count - 6, 1)
-    # kappa r^2 from the second derivatives: a smooth surface leaves a share of kappa^2 r^3.
-    bend = np.sqrt(4.0 * (fitted[:, 3] ** 2 + fitted[:, 5] ** 2) + 2.0 * fitted[:, 4] ** 2)
-    shape = _SHAPE * bend**2 / scale[:, 0]
-    return float(np.sqrt(np.quantile(np.where(variance > shape**2, variance, 0.0), 0.25)))
+    freedom = (used - len(terms)).astype(np.float64)
+    variance = np.where(
+        freedom >= 4, (rest**2).sum(axis=1) / np.maximum(freedom, 1), np.nan
+    )
+    return variance, np.maximum(freedom, 1.0)

@@ -11,14 +11,11 @@ from gpswb.core.as_printed import partition_as_printed
 from gpswb.core.corrected import partition_corrected
 from gpswb.core.mesh import Mesh
 from gpswb.core.noise import estimate_noise
-from gpswb.core.normals import wedge_normals
 from gpswb.core.partition import Partition
 from gpswb.core.rival_curvature import partition_by_curvature
 from gpswb.core.rival_slippage import partition_by_slippage
 from gpswb.core.robust.pipeline import partition_robust
-from gpswb.core.sharp_edges import feature_edges
 from gpswb.core.stages import Progress
-from gpswb.core.wedges import find_wedges
 from gpswb.errors import InputError
 
 Mode = Literal["robust", "corrected", "paper"]
@@ -74,6 +71,5 @@ def partition(
 
 def _noise_of(mesh: Mesh) -> float:
     """Estimated noise, mm; rounding counts as none."""
-    wedges = find_wedges(mesh, feature_edges(mesh))
-    sigma = estimate_noise(mesh, wedges, wedge_normals(mesh, wedges))
+    sigma = estimate_noise(mesh)
     return sigma if sigma > 1e-6 * mesh.diagonal else 0.0
