@@ -1,0 +1,176 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Facets labelled by the surfaces they lie on, with short borders: expansion moves by graph cuts.
+
+The energy is that of Isack and Boykov ("Energy-based geometric multi-model fitting", 2012): for
+each facet the squared distances of its corners in sigma², for each pair of neighbours with
+different labels a price. One expansion move lets one label take any facets at once, and a minimum
+cut finds the best such move (Boykov, Veksler, Zabih, 2001).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+from scipy.sparse import coo_matrix, csr_matrix
+from scipy.sparse.csgraph import breadth_first_order, maximum_flow
+
+from gpswb.core.mesh import BoolArray, FloatArray, IntArray
+from gpswb.core.noisy.models import Model
+from gpswb.core.noisy.noisy_mesh import NoisyMesh
+from gpswb.core.robust.surfaces import distance
+from gpswb.core.robust.topology import FacetGraph
+
+BORDER = 1.0
+"""Price of a border along one edge, in nats, where the surface is smooth."""
+
+CREASED = 0.25
+"""Share of that price that remains at a crease."""
+
+CREASE_TURN = 0.35
+"""Turn (rad) of the denoised normals at which a border costs half of what a crease saves."""
+
+OUTSIDE = 4.0
+"""Distance in sigma at which a vertex can't get less likely: it is not of this surface."""
+
+TILT = 1.0
+"""Angle (rad) of a denoised normal to the surface from which a facet is not of this surface."""
+
+REACH = 6
+"""Facets beyond its border that a label may take in one move."""
+
+_UNIT = 256.0  # capacities are integers
+
+
+def facet_costs(noisy: NoisyMesh, model: Model, facets: IntArray) -> FloatArray:
+    """(k,) nats for facets to lie on a surface.
+
+    A vertex has about two facets of its own: a facet carries half of its corners' mean, so that the
+    sum over facets is the vertices' log-likelihood.
+    """
+    mesh = noisy.mesh
+    corners = mesh.corners[facets].reshape(1, -1, 3)
+    d = distance(model.kind, model.surface[None], corners)[0].reshape(-1, 3) / noisy.sigma
+    cost: FloatArray = 0.25 * np.minimum(d**2, OUTSIDE**2).mean(axis=1)
+    toward = distance(model.kind, model.surface[None], mesh.centroids[facets][None])[1][0]
+    cosine = model.side * np.einsum("ik,ik->i", toward, noisy.normals[facets])
+    return np.where(cosine < np.cos(TILT), 0.25 * OUTSIDE**2, cost)
+
+
+def border_prices(noisy: NoisyMesh) -> FloatArray:
+    """(e,) price of a border along each interior edge, nats."""
+    mesh, graph, normals = noisy.mesh, noisy.graph, noisy.normals
+    a, b = graph.pairs.T
+    ends = mesh.vertices[graph.pair_edges]
+    length = np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1)
+    size = np.sqrt(mesh.areas[a] + mesh.areas[b])
+    relative = np.minimum(length / np.maximum(size, 1e-300), 3.0)
+    turn2 = ((normals[a] - normals[b]) ** 2).sum(axis=1)
+    smooth = np.exp(-turn2 / CREASE_TURN**2)
+    return BORDER * relative * (CREASED + (1.0 - CREASED) * smooth)
+
+
+def expand(
+    noisy: NoisyMesh, models: Sequence[Model], label: IntArray, sweeps: int = 2
+) -> IntArray:
+    """Label facets anew by expansion moves of every model.
+
+    Args:
+        noisy: the mesh and its noise.
+        models: the surfaces.
+        label: (m,) the number of each facet's model, -1 for none, -2 for facets that stay out.
+        sweeps: rounds over all models.
+    """
+    label = label.copy()
+    graph = noisy.graph
+    price = border_prices(noisy)
+    own = np.full(len(label), 0.25 * OUTSIDE**2)
+    order = np.argsort(label, kind="stable")
+    bounds = np.searchsorted(label[order], np.arange(len(models) + 1))
+    for i, model in enumerate(models):
+        facets = order[bounds[i] : bounds[i + 1]]
+        if len(facets):
+            own[facets] = facet_costs(noisy, model, facets)
+    for _ in range(sweeps):
+        changed = 0
+        for i, model in enumerate(models):
+            inside = np.flatnonzero(label == i)
+            if not len(inside):
+                continue
+            active = _ring(graph, inside, label, REACH)
+            cost = facet_costs(noisy, model, active)
+            # What is as unlikely as can be isn't taken, however short the border gets.
+            possible = cost < 0.25 * OUTSIDE**2
+            active, cost = active[possible], cost[possible]
+            if not len(active):
+                continue
+            taken = _cut(graph, price, label, i, active, own[active], cost)
+            label[active[taken]] = i
+            own[active[taken]] = cost[taken]
+            changed += int(taken.sum())
+        if changed < 0.001 * len(label):
+            break
+    return label
+
+
+def _ring(graph: FacetGraph, inside: IntArray, label: IntArray, steps: int) -> IntArray:
+    """Facets within some steps of a region that are not of it."""
+    seen = np.zeros(len(label), dtype=bool)
+    seen[inside] = True
+    front, found = inside, []
+    for _ in range(steps):
+        step = graph.neighbour[front].ravel()
+        step = np.unique(step[step >= 0])
+        step = step[~seen[step] & (label[step] > -2)]
+        seen[step] = True
+        found.append(step)
+        front = step
+    return np.concatenate(found)
+
+
+def _cut(
+    graph: FacetGraph,
+    price: FloatArray,
+    label: IntArray,
+    new: int,
+    active: IntArray,
+    stay: FloatArray,
+    move: FloatArray,
+) -> BoolArray:
+    """(k,) which active facets take the new label in the best expansion move."""
+    k = len(active)
+    slot = np.full(len(label), -1, dtype=np.int64)
+    slot[active] = np.arange(k)
+    a, b = graph.pairs.T
+    sa, sb = slot[a], slot[b]
+    # Unary terms: x = 1 takes the new label.
+    zero, one = stay.copy(), move.copy()
+    for mine, other in ((sa, b), (sb, a)):
+        rim = (mine >= 0) & (slot[other] < 0)
+        at = mine[rim]
+        other_label = label[other[rim]]
+        zero += np.bincount(at, price[rim] * (label[active[at]] != other_label), k)
+        one += np.bincount(at, price[rim] * (other_label != new), k)
+    both = (sa >= 0) & (sb >= 0)
+    p, q, w = sa[both], sb[both], price[both]
+    differ = w * (label[active[p]] != label[active[q]])
+    # E = A + (C - A) x_p + (D - C) x_q + (B + C - A - D)(1 - x_p) x_q with B = C = w, D = 0.
+    one += np.bincount(p, w - differ, k)
+    zero += np.bincount(q, w, k)
+    link = 2.0 * w - differ
+    least = np.minimum(zero, one)
+    zero, one = zero - least, one - least
+    # Source side: x = 0. Cutting p from the source costs x_p = 1; p -> q is cut for x_p=0, x_q=1.
+    source, sink = k, k + 1
+    row = np.concatenate([np.full(k, source), np.arange(k), p])
+    col = np.concatenate([np.arange(k), np.full(k, sink), q])
+    value = np.rint(_UNIT * np.concatenate([one, zero, link])).astype(np.int32)
+    network = coo_matrix((value, (row, col)), shape=(k + 2, k + 2)).tocsr()
+    flow = maximum_flow(network, source, sink).flow
+    rest = csr_matrix(network - flow)
+    rest.data[rest.data < 0] = 0
+    rest.eliminate_zeros()
+    reached = breadth_first_order(rest, source, return_predecessors=False)
+    taken = np.ones(k + 2, dtype=bool)
+    taken[reached] = False
+    return taken[:k]

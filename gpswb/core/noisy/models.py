@@ -1,0 +1,193 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Surfaces of the five kinds fitted to many groups of facets, and which kind the noise allows."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from gpswb.core.mesh import FloatArray, IntArray
+from gpswb.core.noisy.noisy_mesh import NoisyMesh
+from gpswb.core.reference import spread
+from gpswb.core.robust.fitting import fit, fit_patches
+from gpswb.core.robust.growth import to_local, to_world
+from gpswb.core.robust.surfaces import UNKNOWNS, Kind, distance
+
+KINDS: tuple[Kind, ...] = ("plane", "cylinder", "cone", "sphere", "torus")
+
+PRIOR: dict[Kind, float] = {"plane": 0.0, "cylinder": 2.0, "cone": 4.0, "sphere": 6.0, "torus": 8.0}
+"""Minus twice the logarithm of how often a kind occurs on parts, against planes, roughly. It decides
+where the data don't."""
+
+COUNTED: dict[Kind, int] = {**UNKNOWNS, "sphere": UNKNOWNS["cone"]}
+"""Unknowns that a surface is charged for. A narrow ring lies on a sphere as well as on a cone, and
+the sphere has fewer unknowns, but rings are cones: a sphere has to fit better."""
+
+SAMPLE = 250
+"""Vertices of a group that a surface is fitted to: parameters are then known to sigma / 16."""
+
+EXCESS = 1.2
+"""Mean squared distance, in sigma², that an imperfect sigma and small form deviations may leave."""
+
+SURE = 3.0
+"""Standard deviations of chi-square beyond which a surface is rejected."""
+
+AGREEMENT = 0.6
+"""Mean cosine between facets and surface, at least: a thin tube through a strip of noisy vertices
+explains their positions, but half of its normals point the wrong way."""
+
+
+@dataclass(frozen=True, eq=False)
+class Model:
+    """A surface and how well it explains its vertices.
+
+    Args:
+        kind: its kind; ``surface`` (8,) its numbers, see `robust.surfaces`.
+        side: +1 or -1, the side of the surface that is outside.
+        cost: chi-square + unknowns · ln n + prior: smaller is likelier.
+        chi: mean squared distance over sigma², per degree of freedom.
+        count: number of vertices n.
+    """
+
+    kind: Kind
+    surface: FloatArray
+    side: float
+    cost: float
+    chi: float
+    count: int
+
+    @property
+    def explains(self) -> bool:
+        """Whether the distances are those of noise."""
+        freedom = max(self.count - UNKNOWNS[self.kind], 1)
+        return self.chi <= EXCESS + SURE * float(np.sqrt(2.0 / freedom))
+
+
+def fit_models(
+    noisy: NoisyMesh,
+    groups: Sequence[IntArray],
+    kinds: Sequence[Kind] = KINDS,
+    sample: int = SAMPLE,
+) -> list[Model | None]:
+    """The likeliest surface of each group of facets.
+
+    Args:
+        noisy: the mesh and its noise.
+        groups: facets of each group.
+        kinds: the kinds to try, simple ones first; a torus is only tried where those fail.
+        sample: vertices and facets used of each group.
+
+    Returns:
+        One model a group; None where no kind has an acceptable surface.
+    """
+    best: list[Model | None] = [None] * len(groups)
+    by_size = sorted(range(len(groups)), key=lambda i: len(groups[i]))
+    for start in range(0, len(groups), 64):
+        chunk = by_size[start : start + 64]
+        _fit_chunk(noisy, groups, chunk, kinds, sample, best)
+    return best
+
+
+def _fit_chunk(
+    noisy: NoisyMesh,
+    groups: Sequence[IntArray],
+    chunk: Sequence[int],
+    kinds: Sequence[Kind],
+    sample: int,
+    best: list[Model | None],
+) -> None:
+    mesh, normals = noisy.mesh, noisy.normals
+    facets = [groups[i][spread(len(groups[i]), sample)] for i in chunk]
+    vertices = [np.unique(mesh.triangles[groups[i]]) for i in chunk]
+    vertices = [v[spread(len(v), sample)] for v in vertices]
+    used = np.array([len(v) for v in vertices])
+    b, n, f = len(chunk), int(used.max()), max(len(x) for x in facets)
+    points, weights = np.zeros((b, n, 3)), np.zeros((b, n))
+    centres, turned = np.zeros((b, f, 3)), np.zeros((b, f, 3))
+    centre, scale = np.zeros((b, 3)), np.ones(b)
+    for row, (v, x) in enumerate(zip(vertices, facets, strict=True)):
+        p = mesh.vertices[v]
+        centre[row] = p.mean(axis=0)
+        scale[row] = max(float(np.abs(p - centre[row]).max()), 1e-300)
+        points[row, : len(v)] = (p - centre[row]) / scale[row]
+        weights[row, : len(v)] = 1.0
+        area = mesh.areas[x]
+        centres[row, : len(x)] = (mesh.centroids[x] - centre[row]) / scale[row]
+        root = np.sqrt(area / max(float(area.sum()), 1e-300))
+        turned[row, : len(x)] = normals[x] * root[:, None]
+    open_rows = np.arange(b)
+    for kind in kinds:
+        if kind == "torus":
+            open_rows = np.array(
+                [r for r in range(b) if best[chunk[r]] is None or not best[chunk[r]].explains],
+                dtype=np.int64,
+            )
+        enough = open_rows[used[open_rows] > UNKNOWNS[kind]]
+        if not len(enough):
+            continue
+        p, w, c, t = points[enough], weights[enough], centres[enough], turned[enough]
+        local = fit_patches(kind, p, w, c, t)
+        _weigh(kind, local, p, w, c, t, centre, scale, enough, used, noisy.sigma, chunk, best)
+
+
+def _weigh(
+    kind: Kind,
+    local: FloatArray,
+    points: FloatArray,
+    weights: FloatArray,
+    centres: FloatArray,
+    turned: FloatArray,
+    centre: FloatArray,
+    scale: FloatArray,
+    rows: IntArray,
+    used: IntArray,
+    sigma: float,
+    chunk: Sequence[int],
+    best: list[Model | None],
+) -> None:
+    """Keep a kind's surfaces where they are the likeliest so far."""
+    d, _ = distance(kind, local, points)
+    rss = (d**2 * weights).sum(axis=1) * (scale[rows] / sigma) ** 2
+    _, normal = distance(kind, local, centres)
+    length = np.linalg.norm(turned, axis=2)
+    agreement = (np.einsum("bfk,bfk->bf", normal, turned) * length).sum(axis=1)
+    agreement /= np.maximum((length**2).sum(axis=1), 1e-300)
+    world = to_world(local, centre[rows], scale[rows], kind)
+    for i, row in enumerate(rows):
+        if not np.isfinite(world[i]).all() or abs(agreement[i]) < AGREEMENT:
+            continue
+        n = int(used[row])
+        unknowns = UNKNOWNS[kind]
+        chi = float(rss[i]) / max(n - unknowns, 1)
+        cost = float(rss[i]) + price(kind, n)
+        known = best[chunk[row]]
+        if known is None or cost < known.cost:
+            best[chunk[row]] = Model(
+                kind, world[i], float(np.sign(agreement[i])), cost, chi, n
+            )
+
+
+def refit(noisy: NoisyMesh, model: Model, facets: IntArray, sample: int = SAMPLE) -> Model:
+    """The same kind of surface fitted to other facets, from where it is.
+
+    Fitted to a sample of the vertices, but judged by all of them.
+    """
+    points = noisy.mesh.vertices[noisy.vertices_of(facets)]
+    p = points[spread(len(points), sample)]
+    centre = p.mean(axis=0)
+    scale = max(float(np.abs(p - centre).max()), 1e-300)
+    local = to_local(model.surface[None], centre[None], np.array([scale]), model.kind)
+    better = fit(model.kind, local, (p - centre)[None] / scale, np.ones((1, len(p))))
+    surface = to_world(better, centre[None], np.array([scale]), model.kind)[0]
+    d = distance(model.kind, surface[None], points[None])[0][0]
+    rss = float((d**2).sum()) / noisy.sigma**2
+    n = len(points)
+    chi = rss / max(n - UNKNOWNS[model.kind], 1)
+    return Model(model.kind, surface, model.side, rss + price(model.kind, n), chi, n)
+
+
+def price(kind: Kind, count: int) -> float:
+    """What a surface of a kind costs by its unknowns and its rarity, in the unit of chi-square."""
+    return COUNTED[kind] * float(np.log(max(count, 2))) + PRIOR[kind]

@@ -1,0 +1,48 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A mesh with its noise and what is derived from both."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.sparse import coo_matrix, csr_matrix, identity
+
+from gpswb.core.mesh import FloatArray, IntArray, Mesh
+from gpswb.core.noisy.guidance import guidance_normals
+from gpswb.core.robust.topology import FacetGraph
+
+
+@dataclass(frozen=True, eq=False)
+class NoisyMesh:
+    """What the steps of the noisy mode share.
+
+    Args:
+        mesh: the mesh.
+        graph: its adjacency.
+        normals: (m, 3) denoised facet normals.
+        sigma: noise of the vertices, mm.
+        around: (n, n) weights of the vertices within two edges of each.
+    """
+
+    mesh: Mesh
+    graph: FacetGraph
+    normals: FloatArray
+    sigma: float
+    around: csr_matrix
+
+    @classmethod
+    def of(cls, mesh: Mesh, sigma: float) -> NoisyMesh:
+        """Derive what the steps need."""
+        n = len(mesh.vertices)
+        row, col = mesh.pair_edges.T
+        ones = np.ones(len(row))
+        edge = coo_matrix((ones, (row, col)), shape=(n, n)).tocsr()
+        near = edge + edge.T + identity(n, format="csr")
+        return cls(
+            mesh, FacetGraph.of(mesh), guidance_normals(mesh, sigma), sigma, (near @ near).tocsr()
+        )
+
+    def vertices_of(self, facets: IntArray) -> IntArray:
+        """The vertices of some facets, each once."""
+        return np.unique(self.mesh.triangles[facets])
