@@ -90,9 +90,9 @@ def _agreeing(variance: FloatArray, freedom: FloatArray) -> float:
 def _frames(mesh: Mesh, chosen: IntArray, graph: csr_matrix) -> FloatArray:
     """(s, 3, 3) frames with the mean normal of the facets one edge around as last row."""
     n = len(mesh.vertices)
-    share = np.zeros((n, 3))
-    for k in range(3):
-        np.add.at(share, mesh.triangles[:, k], mesh.facet_normals * mesh.areas[:, None])
+    corner = mesh.triangles.ravel()
+    weighted = np.repeat(mesh.facet_normals * mesh.areas[:, None], 3, axis=0)
+    share = np.stack([np.bincount(corner, weighted[:, i], n) for i in range(3)], axis=1)
     mean = share[chosen] + graph[chosen] @ share
     length = np.linalg.norm(mean, axis=1)
     mean[length <= 0.0] = [0.0, 0.0, 1.0]
@@ -111,9 +111,7 @@ def _variance(
     pick = np.minimum(pick, np.maximum(count - 1, 0)[:, None])
     near = rings.indices[np.minimum(rings.indptr[:-1, None] + pick, len(rings.indices) - 1)]
     present: BoolArray = slot < used[:, None]
-    local = np.einsum(
-        "ski,sci->skc", mesh.vertices[near] - mesh.vertices[chosen][:, None], frame
-    )
+    local = np.einsum("ski,sci->skc", mesh.vertices[near] - mesh.vertices[chosen][:, None], frame)
     x, y, height = np.moveaxis(local, 2, 0)
     scale = np.where(present, np.hypot(x, y), 0.0).max(axis=1, keepdims=True)
     x, y = x / np.maximum(scale, 1e-300), y / np.maximum(scale, 1e-300)
@@ -125,7 +123,5 @@ def _variance(
     fitted = np.linalg.solve(gram, right[:, :, None])[:, :, 0]
     rest = height - np.einsum("skc,sc->sk", design, fitted)
     freedom = (used - len(terms)).astype(np.float64)
-    variance = np.where(
-        freedom >= 4, (rest**2).sum(axis=1) / np.maximum(freedom, 1), np.nan
-    )
+    variance = np.where(freedom >= 4, (rest**2).sum(axis=1) / np.maximum(freedom, 1), np.nan)
     return variance, np.maximum(freedom, 1.0)

@@ -28,7 +28,7 @@ CREASED = 0.25
 """Share of that price that remains at a crease."""
 
 CREASE_TURN = 0.35
-"""Turn (rad) of the denoised normals at which a border costs half of what a crease saves."""
+"""Turn (rad) of the denoised normals at which two thirds of what a crease saves are saved."""
 
 OUTSIDE = 4.0
 """Distance in sigma at which a vertex can't get less likely: it is not of this surface."""
@@ -54,31 +54,30 @@ def facet_costs(noisy: NoisyMesh, model: Model, facets: IntArray) -> FloatArray:
     cost: FloatArray = 0.25 * np.minimum(d**2, OUTSIDE**2).mean(axis=1)
     toward = distance(model.kind, model.surface[None], mesh.centroids[facets][None])[1][0]
     cosine = model.side * np.einsum("ik,ik->i", toward, noisy.normals[facets])
-    return np.where(cosine < np.cos(TILT), 0.25 * OUTSIDE**2, cost)
+    cost[cosine < np.cos(TILT)] = 0.25 * OUTSIDE**2
+    return cost
 
 
 def border_prices(noisy: NoisyMesh) -> FloatArray:
     """(e,) price of a border along each interior edge, nats."""
-    mesh, graph, normals = noisy.mesh, noisy.graph, noisy.normals
-    a, b = graph.pairs.T
-    ends = mesh.vertices[graph.pair_edges]
+    mesh = noisy.mesh
+    a, b = noisy.graph.pairs.T
+    ends = mesh.vertices[noisy.graph.pair_edges]
     length = np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1)
     size = np.sqrt(mesh.areas[a] + mesh.areas[b])
     relative = np.minimum(length / np.maximum(size, 1e-300), 3.0)
-    turn2 = ((normals[a] - normals[b]) ** 2).sum(axis=1)
-    smooth = np.exp(-turn2 / CREASE_TURN**2)
-    return BORDER * relative * (CREASED + (1.0 - CREASED) * smooth)
+    smooth = np.exp(-((noisy.pair_turn / CREASE_TURN) ** 2))
+    price: FloatArray = BORDER * relative * (CREASED + (1.0 - CREASED) * smooth)
+    return price
 
 
-def expand(
-    noisy: NoisyMesh, models: Sequence[Model], label: IntArray, sweeps: int = 2
-) -> IntArray:
+def expand(noisy: NoisyMesh, models: Sequence[Model], label: IntArray, sweeps: int = 2) -> IntArray:
     """Label facets anew by expansion moves of every model.
 
     Args:
         noisy: the mesh and its noise.
         models: the surfaces.
-        label: (m,) the number of each facet's model, -1 for none, -2 for facets that stay out.
+        label: (m,) the number of each facet's model, -1 for none.
         sweeps: rounds over all models.
     """
     label = label.copy()
@@ -97,7 +96,7 @@ def expand(
             inside = np.flatnonzero(label == i)
             if not len(inside):
                 continue
-            active = _ring(graph, inside, label, REACH)
+            active = _ring(graph, inside, len(label))
             cost = facet_costs(noisy, model, active)
             # What is as unlikely as can be isn't taken, however short the border gets.
             possible = cost < 0.25 * OUTSIDE**2
@@ -113,15 +112,15 @@ def expand(
     return label
 
 
-def _ring(graph: FacetGraph, inside: IntArray, label: IntArray, steps: int) -> IntArray:
-    """Facets within some steps of a region that are not of it."""
-    seen = np.zeros(len(label), dtype=bool)
+def _ring(graph: FacetGraph, inside: IntArray, m: int) -> IntArray:
+    """Facets, of m, within reach of a region that are not of it."""
+    seen = np.zeros(m, dtype=bool)
     seen[inside] = True
     front, found = inside, []
-    for _ in range(steps):
+    for _ in range(REACH):
         step = graph.neighbour[front].ravel()
         step = np.unique(step[step >= 0])
-        step = step[~seen[step] & (label[step] > -2)]
+        step = step[~seen[step]]
         seen[step] = True
         found.append(step)
         front = step

@@ -5,19 +5,34 @@ from __future__ import annotations
 
 import numpy as np
 
-from gpswb.core.mesh import BoolArray, FloatArray, IntArray
+from gpswb.core.mesh import BoolArray, IntArray
 from gpswb.core.noisy.models import Model, fit_models, refit
 from gpswb.core.noisy.noisy_mesh import NoisyMesh
 from gpswb.core.robust.patches import patches_around
 from gpswb.core.robust.surfaces import distance
-from gpswb.core.robust.topology import FacetGraph
 
 RINGS = (20, 12, 7, 4, 2)
 """Steps from the seed facet to the rim of its patch. Large patches come first: they tell kinds
 apart, and small ones lie on many surfaces."""
 
-CREASE = 0.6
-"""Turn (rad) of the denoised normals at which no patch goes on."""
+CREASES = (0.6, 0.3, 0.15)
+"""Turns (rad) of the denoised normals at which the mesh may be cut into components. The first is
+more than a coarse mesh turns by; patches stop there, too."""
+
+SEEDS = 600
+"""Patches of one size at most."""
+
+OVERLAP = 6
+"""Patches that a facet lies in, on average: a seed at a border fails, the next may not."""
+
+LEAST = 6
+"""Facets of a group at least: fewer have hardly more vertices than a plane has unknowns."""
+
+UNCLAIMED = 0.6
+"""Share of a group that no other surface may have taken before its turn."""
+
+KEPT = 0.5
+"""Share of its seed that a surface must keep when it is grown."""
 
 GATE = 3.0
 """Distance in sigma up to which a vertex may belong to a surface."""
@@ -36,52 +51,93 @@ ROUNDS = 6
 def find_models(noisy: NoisyMesh) -> tuple[list[Model], IntArray]:
     """Surfaces and the facets each was grown to.
 
+    Args:
+        noisy: the mesh and its noise.
+
     Returns:
         The models and (m,) int64 the number of each facet's model, -1 for none.
     """
-    mesh, graph, normals = noisy.mesh, noisy.graph, noisy.normals
     random = np.random.default_rng(0)
-    label = np.where(mesh.areas > 0.0, -1, -2)
+    label = np.full(len(noisy.mesh.triangles), -1, dtype=np.int64)
     models: list[Model] = []
-    turn = _turn(graph, normals)
     for rings in RINGS:
-        for _ in range(2):
-            free = label == -1
-            index = np.flatnonzero(free)
-            if not len(index):
-                break
-            passable = (graph.neighbour >= 0) & free[np.maximum(graph.neighbour, 0)]
-            passable &= turn < CREASE
-            size = 1.5 * rings**2 + 3 * rings + 1
-            count = int(min(max(4.0 * len(index) / size, 8), 600, len(index)))
-            seeds = random.choice(index, count, replace=False)
-            groups = []
-            for start in range(0, len(seeds), 64):
-                found = patches_around(mesh, graph, seeds[start : start + 64], passable, rings)
-                groups += [row[row >= 0] for row in found.facets]
-            groups = [g for g in groups if len(g) >= 6]
-            hypotheses = fit_models(noisy, groups)
-            good = [
-                (len(g), i)
-                for i, (g, h) in enumerate(zip(groups, hypotheses, strict=True))
-                if h is not None and h.explains
-            ]
-            for _, i in sorted(good, reverse=True):
-                model = hypotheses[i]
-                still = groups[i][label[groups[i]] == -1]
-                if model is None or len(still) < 0.6 * len(groups[i]):
-                    continue
-                model, facets = grow(noisy, model, still, label == -1, rings > STRIP)
-                if len(facets) >= 0.5 * len(still) and model.explains:
-                    label[facets] = len(models)
-                    models.append(model)
-    return models, np.where(label == -2, -1, label)
+        for propose in (_components, _patches):
+            free = (label < 0) & (noisy.mesh.areas > 0.0)
+            if free.any():
+                _claim(noisy, propose(noisy, free, rings, random), label, models, rings > STRIP)
+    return models, label
+
+
+def _claim(
+    noisy: NoisyMesh, groups: list[IntArray], label: IntArray, models: list[Model], averaged: bool
+) -> None:
+    """Grow the surfaces that explain their group, those of large groups first."""
+    usable = noisy.mesh.areas > 0.0
+    hypotheses = fit_models(noisy, groups)
+    for i in sorted(range(len(groups)), key=lambda i: -len(groups[i])):
+        model = hypotheses[i]
+        seed = groups[i][label[groups[i]] < 0]
+        if model is None or not model.explains or len(seed) < UNCLAIMED * len(groups[i]):
+            continue
+        model, facets = grow(noisy, model, seed, usable & (label < 0), averaged)
+        if len(facets) >= KEPT * len(seed) and model.explains:
+            label[facets] = len(models)
+            models.append(model)
+
+
+def _components(
+    noisy: NoisyMesh, free: BoolArray, rings: int, random: np.random.Generator
+) -> list[IntArray]:
+    """What hangs together without a crease, for several ideas of what a crease is.
+
+    A face between creases is one such component, and so is a fillet once what it rounds is known.
+    """
+    groups = []
+    graph = noisy.graph
+    joined = free[graph.pairs].all(axis=1)
+    for crease in CREASES:
+        part = graph.components(joined & (noisy.pair_turn < crease), len(free))
+        index = np.flatnonzero(free)
+        index = index[np.argsort(part[index], kind="stable")]
+        start = np.flatnonzero(np.diff(part[index], prepend=-1))
+        groups += [g for g in np.split(index, start[1:]) if len(g) >= LEAST]
+    return groups
+
+
+def _patches(
+    noisy: NoisyMesh, free: BoolArray, rings: int, random: np.random.Generator
+) -> list[IntArray]:
+    """Patches around random seeds; those of which borders leave less than half are left out."""
+    graph = noisy.graph
+    turn = np.linalg.norm(
+        noisy.normals[:, None] - noisy.normals[np.maximum(graph.neighbour, 0)], axis=2
+    )
+    passable = (graph.neighbour >= 0) & free[np.maximum(graph.neighbour, 0)] & (turn < CREASES[0])
+    index = np.flatnonzero(free)
+    size = 1.5 * rings**2 + 3 * rings + 1
+    count = int(min(max(OVERLAP * len(index) / size, 8), SEEDS, len(index)))
+    seeds = random.choice(index, count, replace=False)
+    groups = []
+    for start in range(0, len(seeds), 64):
+        batch = seeds[start : start + 64]
+        found = patches_around(noisy.mesh, graph, batch, passable, rings)
+        groups += [row[row >= 0] for row in found.facets]
+    least = max(0.5 * size, LEAST) if rings > RINGS[-1] else LEAST
+    return [g for g in groups if len(g) >= least]
 
 
 def grow(
     noisy: NoisyMesh, model: Model, seed: IntArray, free: BoolArray, averaged: bool
 ) -> tuple[Model, IntArray]:
-    """Take in the connected facets that lie on a surface, and fit it again, until it settles."""
+    """Take in the connected facets that lie on a surface, and fit it again, until it settles.
+
+    Args:
+        noisy: the mesh and its noise.
+        model: the surface.
+        seed: facets to start from.
+        free: (m,) facets that may be taken.
+        averaged: see `lies_on`.
+    """
     graph = noisy.graph
     facets = seed
     for step in range(ROUNDS):
@@ -117,20 +173,11 @@ def lies_on(noisy: NoisyMesh, model: Model, averaged: bool) -> BoolArray:
     near = np.abs(d) <= GATE
     ok: BoolArray = near[mesh.triangles].all(axis=1)
     if averaged:
-        squares = noisy.around.multiply(noisy.around) @ near.astype(np.float64)
-        drift = noisy.around @ (d * near) / np.sqrt(np.maximum(squares, 1.0))
+        weight = noisy.around_squared @ near.astype(np.float64)
+        drift = noisy.around @ (d * near) / np.sqrt(np.maximum(weight, 1.0))
         ok &= np.abs(drift[mesh.triangles].mean(axis=1)) <= GATE
     index = np.flatnonzero(ok)
     toward = distance(model.kind, model.surface[None], mesh.centroids[index][None])[1][0]
     cosine = model.side * np.einsum("ik,ik->i", toward, noisy.normals[index])
     ok[index[cosine < np.cos(TILT)]] = False
     return ok
-
-
-def _turn(graph: FacetGraph, normals: FloatArray) -> FloatArray:
-    """(m, 3) angle between each facet's normal and those across its edges."""
-    other = normals[np.maximum(graph.neighbour, 0)]
-    cosine = np.einsum("mk,mek->me", normals, other)
-    sine = np.linalg.norm(np.cross(normals[:, None], other), axis=2)
-    angle: FloatArray = np.arctan2(sine, cosine)
-    return angle

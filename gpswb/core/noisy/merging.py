@@ -9,9 +9,9 @@ import numpy as np
 
 from gpswb.core.mesh import FloatArray, IntArray
 from gpswb.core.noisy.expansion import border_prices, facet_costs
-from gpswb.core.noisy.models import Model, fit_models, price as price_of
+from gpswb.core.noisy.models import Model, fit_models
+from gpswb.core.noisy.models import price as price_of
 from gpswb.core.noisy.noisy_mesh import NoisyMesh
-from gpswb.core.robust.topology import FacetGraph
 
 SMOOTH = 0.5
 """Mean turn (rad) of the denoised normals across a border, at most, for one surface to continue
@@ -29,14 +29,12 @@ def merge_models(
     Description length: chi-square of the vertices, plus ln n for each unknown, plus a price a
     region. The best pairs that have no region in common are joined at once.
     """
-    graph, normals = noisy.graph, noisy.normals
     models = list(models)
     label = label.copy()
     tried: set[tuple[int, int]] = set()
-    turn = np.linalg.norm(normals[graph.pairs[:, 0]] - normals[graph.pairs[:, 1]], axis=1)
     while True:
         groups = facets_of(label, len(models))
-        candidates = [p for p in _smooth_neighbours(graph, label, turn) if p not in tried]
+        candidates = [p for p in _smooth_neighbours(noisy, label) if p not in tried]
         tried.update(candidates)
         if not candidates:
             break
@@ -64,9 +62,7 @@ def merge_models(
     return models, label
 
 
-def drop_models(
-    noisy: NoisyMesh, models: Sequence[Model], label: IntArray
-) -> IntArray:
+def drop_models(noisy: NoisyMesh, models: Sequence[Model], label: IntArray) -> IntArray:
     """Give regions away whose neighbours describe them for less than they cost; smallest first."""
     label = label.copy()
     graph = noisy.graph
@@ -107,13 +103,11 @@ def facets_of(label: IntArray, count: int) -> list[IntArray]:
     return [order[bounds[i] : bounds[i + 1]] for i in range(count)]
 
 
-def _smooth_neighbours(
-    graph: FacetGraph, label: IntArray, turn: FloatArray
-) -> list[tuple[int, int]]:
+def _smooth_neighbours(noisy: NoisyMesh, label: IntArray) -> list[tuple[int, int]]:
     """Pairs of regions that meet without a crease along most of their border."""
-    pair = np.sort(label[graph.pairs], axis=1)
+    pair = np.sort(label[noisy.graph.pairs], axis=1)
     border = (pair[:, 0] != pair[:, 1]) & (pair[:, 0] >= 0)
-    pair, turn = pair[border], turn[border]
+    pair, turn = pair[border], noisy.pair_turn[border]
     unique, which = np.unique(pair, axis=0, return_inverse=True)
     which = which.reshape(-1)
     count = np.bincount(which, minlength=len(unique))

@@ -17,9 +17,15 @@ from gpswb.core.robust.surfaces import UNKNOWNS, Kind, distance
 
 KINDS: tuple[Kind, ...] = ("plane", "cylinder", "cone", "sphere", "torus")
 
-PRIOR: dict[Kind, float] = {"plane": 0.0, "cylinder": 2.0, "cone": 4.0, "sphere": 6.0, "torus": 8.0}
-"""Minus twice the logarithm of how often a kind occurs on parts, against planes, roughly. It decides
-where the data don't."""
+PRIOR: dict[Kind, float] = {
+    "plane": 0.0,
+    "cylinder": 2.0,
+    "cone": 4.0,
+    "sphere": 6.0,
+    "torus": 8.0,
+}
+"""Minus twice the logarithm of how often a kind occurs on parts, against planes, roughly: it
+decides where the data don't."""
 
 COUNTED: dict[Kind, int] = {**UNKNOWNS, "sphere": UNKNOWNS["cone"]}
 """Unknowns that a surface is charged for. A narrow ring lies on a sphere as well as on a cone, and
@@ -120,10 +126,8 @@ def _fit_chunk(
     open_rows = np.arange(b)
     for kind in kinds:
         if kind == "torus":
-            open_rows = np.array(
-                [r for r in range(b) if best[chunk[r]] is None or not best[chunk[r]].explains],
-                dtype=np.int64,
-            )
+            known = [best[i] for i in chunk]
+            open_rows = np.flatnonzero([m is None or not m.explains for m in known])
         enough = open_rows[used[open_rows] > UNKNOWNS[kind]]
         if not len(enough):
             continue
@@ -164,9 +168,7 @@ def _weigh(
         cost = float(rss[i]) + price(kind, n)
         known = best[chunk[row]]
         if known is None or cost < known.cost:
-            best[chunk[row]] = Model(
-                kind, world[i], float(np.sign(agreement[i])), cost, chi, n
-            )
+            best[chunk[row]] = Model(kind, world[i], float(np.sign(agreement[i])), cost, chi, n)
 
 
 def refit(noisy: NoisyMesh, model: Model, facets: IntArray, sample: int = SAMPLE) -> Model:

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 from scipy.sparse import coo_matrix, csr_matrix, identity
@@ -22,7 +23,7 @@ class NoisyMesh:
         graph: its adjacency.
         normals: (m, 3) denoised facet normals.
         sigma: noise of the vertices, mm.
-        around: (n, n) weights of the vertices within two edges of each.
+        around: (n, n) weights of the vertices within two edges of each, and their squares.
     """
 
     mesh: Mesh
@@ -30,6 +31,7 @@ class NoisyMesh:
     normals: FloatArray
     sigma: float
     around: csr_matrix
+    around_squared: csr_matrix
 
     @classmethod
     def of(cls, mesh: Mesh, sigma: float) -> NoisyMesh:
@@ -39,9 +41,18 @@ class NoisyMesh:
         ones = np.ones(len(row))
         edge = coo_matrix((ones, (row, col)), shape=(n, n)).tocsr()
         near = edge + edge.T + identity(n, format="csr")
+        around = (near @ near).tocsr()
+        normals = guidance_normals(mesh, sigma)
         return cls(
-            mesh, FacetGraph.of(mesh), guidance_normals(mesh, sigma), sigma, (near @ near).tocsr()
+            mesh, FacetGraph.of(mesh), normals, sigma, around, around.multiply(around).tocsr()
         )
+
+    @cached_property
+    def pair_turn(self) -> FloatArray:
+        """(e,) turn (rad, small angles) of the denoised normals across each interior edge."""
+        a, b = self.graph.pairs.T
+        turn: FloatArray = np.linalg.norm(self.normals[a] - self.normals[b], axis=1)
+        return turn
 
     def vertices_of(self, facets: IntArray) -> IntArray:
         """The vertices of some facets, each once."""

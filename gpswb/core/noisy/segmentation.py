@@ -5,24 +5,37 @@ from __future__ import annotations
 
 import numpy as np
 
-from gpswb.core.mesh import IntArray
+from gpswb.core.mesh import IntArray, Mesh
+from gpswb.core.noisy.absorption import absorb
 from gpswb.core.noisy.expansion import expand
 from gpswb.core.noisy.hypotheses import find_models, lies_on
 from gpswb.core.noisy.merging import drop_models, facets_of, merge_models
 from gpswb.core.noisy.models import SAMPLE, Model, fit_models
 from gpswb.core.noisy.noisy_mesh import NoisyMesh
-from gpswb.core.robust.surfaces import distance
+from gpswb.core.robust.growth import Grown
 
 CYCLES = 3
-
-FEW = 30
-
-LARGER = 0.6
+"""Rounds of labelling and fitting; labels hardly change in the third."""
 
 FINAL = 1500
+"""Vertices of a region that the last fit uses: it decides the kind."""
+
+CORE = 0.6
+"""Share of a region that its surface must explain for the rest to be left out of the fit."""
 
 
-def segment(noisy: NoisyMesh) -> tuple[list[Model], IntArray]:
+def segment(mesh: Mesh, sigma: float) -> tuple[list[Grown], IntArray]:
+    """Divide a noisy mesh into regions that lie on simple surfaces, and others.
+
+    Args:
+        mesh: the mesh.
+        sigma: noise of the vertices, mm, > 0.
+
+    Returns:
+        The surfaces with their facets, and (m,) int64 labels: the number of each facet's surface;
+        for connected facets that none explains a number of their own beyond these.
+    """
+    noisy = NoisyMesh.of(mesh, sigma)
     models, label = find_models(noisy)
     for _ in range(CYCLES):
         label = expand(noisy, models, label)
@@ -31,63 +44,35 @@ def segment(noisy: NoisyMesh) -> tuple[list[Model], IntArray]:
         label = drop_models(noisy, models, label)
     label = expand(noisy, models, label)
     label = absorb(noisy, models, label)
-    return _refitted(noisy, models, label, FINAL)
-
-
-def absorb(noisy: NoisyMesh, models: list[Model], label: IntArray) -> IntArray:
-    """Give unexplained facets to the neighbour they are nearest to, in small groups only.
-
-    Some vertices are off by four sigma; a group of facets that many are off is something else.
-    """
-    label = label.copy()
-    graph = noisy.graph
-    part = graph.components((label[graph.pairs] == -1).all(axis=1), len(label))
-    size = np.bincount(part, minlength=len(label))
-    todo = (label == -1) & (size[part] <= FEW)
-    while todo.any():
-        a, b = graph.pairs.T
-        best = np.full(len(label), np.inf)
-        take = np.full(len(label), -1, dtype=np.int64)
-        for mine, other in ((a, b), (b, a)):
-            rim = todo[mine] & (label[other] >= 0)
-            for i in np.unique(label[other[rim]]):
-                at = np.unique(mine[rim & (label[other] == i)])
-                corners = noisy.mesh.corners[at].reshape(1, -1, 3)
-                d = distance(models[i].kind, models[i].surface[None], corners)[0].reshape(-1, 3)
-                cost = (d**2).sum(axis=1)
-                better = cost < best[at]
-                best[at[better]] = cost[better]
-                take[at[better]] = i
-        found = take >= 0
-        if not found.any():
-            break
-        label[found] = take[found]
-        todo &= ~found
-    return label
+    models, label = _refitted(noisy, models, label, FINAL)
+    groups = facets_of(label, len(models))
+    surfaces = [Grown(m.kind, m.surface, g) for m, g in zip(models, groups, strict=True)]
+    unexplained = label < 0
+    both = np.logical_and(*unexplained[noisy.graph.pairs].T)
+    part = noisy.graph.components(both, len(label))
+    return surfaces, np.where(unexplained, len(models) + part, label)
 
 
 def _refitted(
     noisy: NoisyMesh, models: list[Model], label: IntArray, sample: int = SAMPLE
 ) -> tuple[list[Model], IntArray]:
-    groups = facets_of(label, len(models))
-    kept = [g for g in groups if len(g) >= 4]
-    fitted = fit_models(noisy, [_inliers(noisy, models, label, g) for g in kept], sample=sample)
-    out = np.where(label == -2, -2, -1)
+    """The likeliest surface of each region, of any kind; labels numbered anew."""
+    kept = [g for g in facets_of(label, len(models)) if len(g)]
+    cores = [_core(noisy, models[label[g[0]]], g) for g in kept]
+    out = np.full_like(label, -1)
     found: list[Model] = []
-    for facets, model in zip(kept, fitted, strict=True):
+    for facets, model in zip(kept, fit_models(noisy, cores, sample=sample), strict=True):
         if model is not None:
             out[facets] = len(found)
             found.append(model)
     return found, out
 
 
-def _inliers(
-    noisy: NoisyMesh, models: list[Model], label: IntArray, facets: IntArray
-) -> IntArray:
-    """Facets of a region that its surface explains on average; all where that is the smaller part.
+def _core(noisy: NoisyMesh, model: Model, facets: IntArray) -> IntArray:
+    """Facets of a region that its surface explains, neighbours averaged, if they are most of it.
 
-    A region may hold a fillet of its border that is too small to be a region: it must not bend the
-    surface.
+    A region may hold a fillet along its border that is too small to be a region of its own: that
+    must not bend the surface.
     """
-    core = facets[lies_on(noisy, models[label[facets[0]]], True)[facets]]
-    return core if len(core) > LARGER * len(facets) else facets
+    core = facets[lies_on(noisy, model, averaged=True)[facets]]
+    return core if len(core) > CORE * len(facets) else facets

@@ -7,10 +7,10 @@ from dataclasses import replace
 
 import numpy as np
 
-from gpswb.core.corrected import partition_corrected
 from gpswb.core.initial import InitialPartition, initial_partition
 from gpswb.core.invariance import InvarianceClass
 from gpswb.core.mesh import BoolArray, IntArray, Mesh
+from gpswb.core.noisy.segmentation import segment
 from gpswb.core.partition import Partition, Region
 from gpswb.core.projection import number_facet_regions
 from gpswb.core.recognition import always, recognise
@@ -52,28 +52,24 @@ def partition_robust(
 
     Args:
         mesh: the mesh.
-        sigma: noise of the vertices, mm; 0 for a nominal mesh. Where it exceeds the tolerances, the
-            regions come from the flow of mode `corrected`, which averages.
+        sigma: noise of the vertices, mm; 0 for a nominal mesh. Where it exceeds the tolerances,
+            statistical tests take their place.
         tolerances: thresholds of the steps shared with mode `corrected`.
         progress: listener.
     """
     tol = tolerances or Tolerances()
-    if 3.0 * sigma > TIERS[-1] * mesh.diagonal:
-        # Nothing lies on anything to within the widest tolerance: averages have to do.
-        return replace(partition_corrected(mesh, sigma, tol, progress), mode="robust")
     if sigma == 0.0:
         # Nominal vertices need no allowance for form: a class they don't fit is the wrong one.
         tol = replace(tol, form=tol.distance)
     clock = StageClock(progress)
     first = initial_partition(mesh, sigma, tol, clock)
     with clock.stage("refine"):
-        graph = FacetGraph.of(mesh)
-        polygon = coplanar_polygons(mesh, graph, TIERS[0] * mesh.diagonal)
-        surfaces = simple_surfaces(mesh, graph, polygon, first.region, clock)
-        label = np.full(len(mesh.triangles), -1, dtype=np.int64)
-        for i, grown in enumerate(surfaces):
-            label[grown.facets] = i
-        label, flat = label_leftover(mesh, graph, first, polygon, label, sigma, tol)
+        if 3.0 * sigma > TIERS[-1] * mesh.diagonal:
+            # Nothing lies on anything to within the widest tolerance.
+            surfaces, label = segment(mesh, sigma)
+            flat = np.zeros(len(label), dtype=bool)
+        else:
+            surfaces, label, flat = _nominal_regions(mesh, first, sigma, tol, clock)
     with clock.stage("recognise"):
         region, count = number_facet_regions(label, mesh)
         regions = _recognise(mesh, first, region, count, label, flat, surfaces, sigma, tol)
@@ -93,6 +89,20 @@ def partition_robust(
         method="hybrid",
         timings=clock.timings,
     )
+
+
+def _nominal_regions(
+    mesh: Mesh, first: InitialPartition, sigma: float, tolerances: Tolerances, clock: StageClock
+) -> tuple[list[Grown], IntArray, BoolArray]:
+    """Surfaces, (m,) labels that begin with their numbers, (m,) facets that are planes besides."""
+    graph = FacetGraph.of(mesh)
+    polygon = coplanar_polygons(mesh, graph, TIERS[0] * mesh.diagonal)
+    surfaces = simple_surfaces(mesh, graph, polygon, first.region, clock)
+    label = np.full(len(mesh.triangles), -1, dtype=np.int64)
+    for i, grown in enumerate(surfaces):
+        label[grown.facets] = i
+    label, flat = label_leftover(mesh, graph, first, polygon, label, sigma, tolerances)
+    return surfaces, label, flat
 
 
 def simple_surfaces(
