@@ -170,7 +170,7 @@ def arc_covered(points: FloatArray, point: list[float], direction: list[float]) 
     return float(2 * np.pi - gaps.max())
 
 
-def _size(patch: _Patch, area: float, tolerances: Tolerances) -> tuple[Size | None, str]:
+def _size(patch: _Patch, area: float, arc: float, least: float) -> tuple[Size | None, str]:
     """Size and derived feature (ISO 14405-1, 22432); a corner's radius has an axis but no size."""
     region = patch.region
     if region.surface == "sphere":
@@ -178,9 +178,7 @@ def _size(patch: _Patch, area: float, tolerances: Tolerances) -> tuple[Size | No
         whole = area > 2 * np.pi * radius**2
         return Size("spherical diameter", 2 * radius) if whole else None, "centre point"
     if region.surface in ("cylinder", "cone"):
-        situation = region.situation
-        arc = arc_covered(patch.points, situation["point"], situation["direction"])
-        if arc <= tolerances.size_arc:
+        if arc <= least:
             return None, "axis"
         if region.surface == "cylinder":
             return Size("diameter", 2 * region.intrinsic["radius"]), "median line"
@@ -198,7 +196,10 @@ def _feature(
     if region.surface == "plane":
         situation["normal"] = (patch.normal + 0.0).tolist()
     area = sum(r.area for r in patch.regions)
-    size, derived = _size(patch, area, tolerances)
+    arc = 2 * np.pi
+    if region.surface in ("cylinder", "cone"):
+        arc = arc_covered(points, situation["point"], situation["direction"])
+    size, derived = _size(patch, area, arc, tolerances.size_arc)
     word = {
         ("cylinder", "internal"): "Hole" if size else "Concave radius",
         ("cylinder", "external"): "Shaft" if size else "Convex radius",
@@ -222,6 +223,7 @@ def _feature(
         interrupted=patch.interrupted,
         # Few facets leave everything open; but a flat region is a plane, not a piece of a sphere.
         sure=not region.undecided or region.surface == "plane",
+        whole=arc >= tolerances.whole_arc,
         body=patch.body,
         points=points,
         facets=patch.mesh.vertices[patch.mesh.triangles[np.concatenate(patch.facets)]],

@@ -60,6 +60,7 @@ class GpsFeature:
         arrangement: of a pattern: linear, grid, circle or free.
         interrupted: several surfaces that are to be taken as one (UF).
         sure: recognition left no other class open.
+        whole: a cylinder or cone that goes all round its axis; True for other features.
         members: ids of the features that a compound is made of.
         regions: ids of its regions.
         faces: names of its B-rep faces.
@@ -86,6 +87,7 @@ class GpsFeature:
     arrangement: str = ""
     interrupted: bool = False
     sure: bool = True
+    whole: bool = True
     members: tuple[int, ...] = ()
     body: int = 0
     points: FloatArray = field(default_factory=lambda: np.zeros((0, 3)))

@@ -98,6 +98,6 @@ def _fitness(feature: GpsFeature) -> float:
         return 0.2
     if feature.surface == "plane":
         return 1.0
-    if feature.of_linear_size:
-        return 0.5
+    if feature.of_linear_size:  # a lobe that goes half round is bad to chuck or to gauge
+        return 0.5 if feature.whole else 0.15
     return {"revolute": 0.1, "prismatic": 0.02, "helical": 0.05}.get(feature.invariance_class, 0.01)

@@ -21,6 +21,8 @@ class Tolerances:
             continues. Nominal vertices lie on their surface to rounding.
         size: relative difference of two sizes that are drawn as one.
         size_arc: rad; a cylinder that covers less has no opposed points and so no size.
+        whole_arc: rad; a cylinder that covers more goes all round, but for a keyway or the gap
+            between two vertices of a coarse mesh.
         negligible: share of the part's area; a smaller feature can't take a symmetry from the part.
     """
 
@@ -30,6 +32,7 @@ class Tolerances:
     surface: float = 2e-5
     size: float = 1e-3
     size_arc: float = radians(181.0)
+    whole_arc: float = radians(270.0)
     negligible: float = 1e-4
 
 

@@ -118,6 +118,21 @@ def test_holes_shafts_and_fillets_are_told_apart():
     assert by_region(features, ball).derived == "centre point"
 
 
+def test_a_lobe_has_a_size_but_is_no_first_choice_as_a_datum():
+    """A hole that goes all round stands before a larger boss that covers two thirds of a turn."""
+    part = Part()
+    box(part, (-60, -60, 0), (60, 60, 8))
+    lobe = part.cylinder((0.0, 0.0, 8.0), Z, 30.0, 40.0, arc=4.2)
+    bore = part.cylinder((30.0, 0.0, 0.0), Z, 10.0, 40.0, hole=True)
+    features = maximal_features(part.partition())
+    assert by_region(features, lobe).size.value == 60.0
+    assert not by_region(features, lobe).whole
+    assert by_region(features, bore).whole
+    round_ = [f for f in features if f.surface == "cylinder"]
+    (best, *_) = suggest_datums(round_, part.frame)
+    assert best.system.datums[0].features == (by_region(features, bore),)
+
+
 def test_normals_of_planes_point_out_of_the_material():
     part = Part()
     part.plane((0.0, 0.0, 0.0), Z, X, 10.0, 10.0, flip=True)
