@@ -262,11 +262,11 @@ def main() -> int:
     rows = []
     for path in sorted(args.files, key=lambda path: path.name.lower()):
         rows.append(_isolated(path, args.limit, recognised=args.recognised))
-        print(rows[-1], flush=True)  # noqa: T201
+        print(rows[-1], flush=True)
     lines = markdown(rows, recognised=args.recognised)
     if args.docs:
         write_docs(args.docs, lines, recognised=args.recognised)
-    print("\n".join(sums(rows)))  # noqa: T201
+    print("\n".join(sums(rows)))
     return 0
 
 
