@@ -12,7 +12,7 @@ import logging
 from collections.abc import Iterable, Iterator
 from typing import Any
 
-from gpswb.batch.isolated import End, Job, Limits
+from gpswb.batch.job import End, Job, Limits
 from gpswb.batch.messages import one_line
 from gpswb.batch.settings import Settings
 from gpswb.batch.worker import examine_order, order
@@ -27,7 +27,7 @@ PATIENCE = 60
 
 
 def run_on_cluster(
-    jobs: Iterable[Job], settings: Settings, limits: Limits, address: str
+    jobs: Iterable[Job], settings: Settings, limits: Limits, cached: bool, address: str
 ) -> Iterator[tuple[Job, End]]:
     """Yield each job with its end as it ends, its results in its directory.
 
@@ -35,6 +35,7 @@ def run_on_cluster(
         jobs: the parts; every worker must see their paths or URLs.
         settings: how to examine each.
         limits: time and memory of each.
+        cached: whether workers may use the caches of their machines.
         address: of the scheduler, ``tcp://host:port``.
 
     Raises:
@@ -66,7 +67,9 @@ def run_on_cluster(
             try:
                 room = AHEAD * sum(client.nthreads().values()) - len(running)
                 for job in itertools.islice(waiting, max(room, 0 if running else 1)):
-                    future = client.submit(examine_order, order(job, settings, limits), pure=False)
+                    future = client.submit(
+                        examine_order, order(job, settings, limits, cached), pure=False
+                    )
                     running[future.key] = job
                     ended.add(future)
                 if not running:

@@ -26,6 +26,7 @@ COLUMNS: dict[str, type] = {
     "seconds": float,
     "cpu_s": float,
     "memory_mb": float,
+    "cached": bool,
     "bytes": int,
     "sha256": str,
     "unit": str,
@@ -43,7 +44,7 @@ COLUMNS: dict[str, type] = {
     **dict.fromkeys(FIGURES[:3], float),
     **dict.fromkeys(FIGURES[3:], int),
 }
-"""Names and types; lengths are mm, areas mm². A part that isn't done has its first seven only."""
+"""Names and types; lengths are mm, areas mm². A part that isn't done has its first eight only."""
 
 
 def document_columns(document: Mapping[str, Any]) -> dict[str, Any]:

@@ -8,12 +8,14 @@ import threading
 from collections.abc import Iterable, Iterator
 from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
 
-from gpswb.batch.isolated import End, Job, Limits, examine_isolated
+from gpswb.batch.cache import Cache
+from gpswb.batch.job import End, Job, Limits
+from gpswb.batch.one_job import do_job
 from gpswb.batch.settings import Settings
 
 
 def run_local(
-    jobs: Iterable[Job], settings: Settings, limits: Limits, parallel: int
+    jobs: Iterable[Job], settings: Settings, limits: Limits, cache: Cache | None, parallel: int
 ) -> Iterator[tuple[Job, End]]:
     """Yield each job with its end as it ends; at most ``parallel`` run at once.
 
@@ -27,7 +29,7 @@ def run_local(
         try:
             while True:
                 for job in itertools.islice(waiting, parallel - len(running)):
-                    future = pool.submit(examine_isolated, job, settings, limits, stop)
+                    future = pool.submit(do_job, job, settings, limits, cache, stop)
                     running[future] = job
                 if not running:
                     return

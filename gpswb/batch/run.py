@@ -19,7 +19,7 @@ from pathlib import Path
 
 import gpswb
 from gpswb.batch.columns import document_columns
-from gpswb.batch.isolated import RESULTS, End, Job
+from gpswb.batch.job import RESULTS, End, Job
 from gpswb.batch.record import Entry, Record, read_record
 from gpswb.batch.settings import Settings
 from gpswb.batch.source import Part
@@ -153,6 +153,7 @@ def _examine(
                     "seconds": round(end.seconds, 3),
                     "cpu_s": end.cpu_s,
                     "memory_mb": end.memory_mb,
+                    "cached": end.cached,
                     "bytes": part.size,
                     **columns,
                 }

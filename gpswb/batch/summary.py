@@ -26,7 +26,7 @@ def write_summary(directory: Path, rows: Sequence[Mapping[str, Any]]) -> list[st
         import pyarrow.parquet as pq
     except ImportError:
         return ["summary.csv"]
-    kinds = {str: pa.string(), float: pa.float64(), int: pa.int64()}
+    kinds = {str: pa.string(), float: pa.float64(), int: pa.int64(), bool: pa.bool_()}
     schema = pa.schema([(name, kinds[kind]) for name, kind in COLUMNS.items()])
     table = pa.Table.from_pylist(list(rows), schema)
     _replace(directory / "summary.parquet", lambda draft: pq.write_table(table, draft))

@@ -20,7 +20,9 @@ from pathlib import Path
 from typing import Any
 
 import gpswb
-from gpswb.batch.isolated import RESULTS, Job, Limits, examine_isolated
+from gpswb.batch.cache import Cache
+from gpswb.batch.job import RESULTS, Job, Limits
+from gpswb.batch.one_job import do_job
 from gpswb.batch.settings import Settings
 from gpswb.errors import InputError, KernelError
 
@@ -28,14 +30,15 @@ _idle: queue.SimpleQueue[_Server] = queue.SimpleQueue()
 """Servers of this worker that wait for a job: as many as it has threads, in the end."""
 
 
-def order(job: Job, settings: Settings, limits: Limits) -> dict[str, Any]:
-    """A job as plain values, for another machine."""
+def order(job: Job, settings: Settings, limits: Limits, cached: bool) -> dict[str, Any]:
+    """A job as plain values, for another machine; ``cached`` if that one's cache may be used."""
     return {
         "gpswb": gpswb.__version__,
         "url": job.url,
         "name": job.name,
         "settings": settings.plain(),
         "limits": asdict(limits),
+        "cached": cached,
     }
 
 
@@ -109,7 +112,8 @@ def _serve() -> None:
             order = json.loads(line)
             job = Job(order["url"], order["name"], Path(scratch) / "part")
             settings, limits = Settings.from_plain(order["settings"]), Limits(**order["limits"])
-            end = examine_isolated(job, settings, limits, stop)
+            cache = Cache.of_user() if order["cached"] else None
+            end = do_job(job, settings, limits, cache, stop)
             if stop.is_set():
                 return
             answer = {"end": asdict(end), "directory": str(job.directory)}

@@ -12,15 +12,24 @@ from typing import TYPE_CHECKING
 
 from gpswb.batch.messages import one_line
 from gpswb.batch.settings import Settings
-from gpswb.cli.options import add_corpus_options, add_density_option, add_pipeline_options
+from gpswb.cli.options import (
+    add_corpus_options,
+    add_density_option,
+    add_pipeline_options,
+    add_unit_option,
+)
 from gpswb.errors import InputError
 
 if TYPE_CHECKING:
-    from gpswb.batch.isolated import End, Job
+    from gpswb.batch.job import End, Job
     from gpswb.batch.run import Summary
 
 NAMED = 20
 """Parts without a result that are named on the terminal; the table has all of them."""
+
+
+AMBIGUOUS = (".txt", ".csv")
+"""Endings of point clouds that in a directory mostly are something else."""
 
 
 def register(verbs: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
@@ -28,13 +37,14 @@ def register(verbs: argparse._SubParsersAction[argparse.ArgumentParser]) -> None
     parser = verbs.add_parser(
         "batch",
         help="partition many parts, resumably, on one machine or many; a table",
-        description="Take every part and mesh below DIR, a directory or a URL (s3://..., "
-        "zip://::parts.zip). The same command again goes on where a run was ended.",
+        description="Take every part, mesh and point cloud below DIR, a directory or a URL "
+        "(s3://..., zip://::parts.zip). The same command again goes on where a run was ended.",
     )
     parser.add_argument("directory", metavar="DIR")
     parser.add_argument("--out", type=Path, required=True, metavar="DIR")
     add_density_option(parser)
     add_pipeline_options(parser)
+    add_unit_option(parser)
     add_corpus_options(parser)
     parser.add_argument(
         "--shard", type=shard, default=(1, 1), metavar="I/N", help="do the I-th of N shares only"
@@ -60,28 +70,30 @@ def shard(text: str) -> tuple[int, int]:
 
 def run(args: argparse.Namespace) -> int:
     """Do it; the exit code."""
-    from gpswb.batch.isolated import Limits
+    from gpswb.batch.cache import Cache
+    from gpswb.batch.job import Limits
     from gpswb.batch.local import run_local
     from gpswb.batch.run import Shard, run_batch
     from gpswb.batch.source import CAD, find_parts, is_url
     from gpswb.cli.progress import count_bar
-    from gpswb.io.mesh_file import SUFFIXES
+    from gpswb.io.measured_file import SUFFIXES
 
-    settings = Settings(args.density, args.mode, args.method, args.kernel)
+    settings = Settings(args.density, args.mode, args.method, args.kernel, unit=args.unit)
     limits = Limits(args.time_limit, int(args.memory_limit * 1e9))
     # Absolute, because a worker may have another current directory.
     where = args.directory if is_url(args.directory) else str(Path(args.directory).absolute())
-    suffixes = (*CAD, *SUFFIXES)
+    suffixes = [suffix for suffix in (*CAD, *SUFFIXES) if suffix not in AMBIGUOUS]
     parts = find_parts(where, suffixes)
     if not parts:
-        raise InputError(f"no part or mesh in {args.directory}; taken are {', '.join(suffixes)}")
+        raise InputError(f"nothing to examine in {args.directory}; taken are {', '.join(suffixes)}")
 
     def execute(jobs: Iterable[Job]) -> Iterator[tuple[Job, End]]:
         if args.scheduler:
             from gpswb.batch.cluster import run_on_cluster
 
-            return run_on_cluster(jobs, settings, limits, args.scheduler)
-        return run_local(jobs, settings, limits, args.jobs)
+            return run_on_cluster(jobs, settings, limits, args.cached, args.scheduler)
+        cache = Cache.of_user() if args.cached else None
+        return run_local(jobs, settings, limits, cache, args.jobs)
 
     summary = run_batch(
         parts,

@@ -7,7 +7,8 @@ import json
 from collections.abc import Sequence
 from pathlib import Path
 
-from gpswb.batch.isolated import End, Job, Limits
+from gpswb.batch.cache import Cache
+from gpswb.batch.job import End, Job, Limits
 from gpswb.batch.local import run_local
 from gpswb.batch.settings import Settings
 from gpswb.batch.source import CAD, find_parts, unique_name
@@ -17,7 +18,12 @@ from gpswb.validation.corpus import PartRow
 
 
 def examine_all(
-    files: Sequence[Path], draft: Path, settings: Settings, limits: Limits, parallel: int
+    files: Sequence[Path],
+    draft: Path,
+    settings: Settings,
+    limits: Limits,
+    cached: bool,
+    parallel: int,
 ) -> list[PartRow]:
     """Examine every file in a process of its own, its results in ``draft/parts``.
 
@@ -30,10 +36,11 @@ def examine_all(
         Job(str(path), name, draft / "parts" / name)
         for path, name in zip(files, names, strict=True)
     ]
+    cache = Cache.of_user() if cached else None
     rows: dict[Job, PartRow] = {}
     large_first = sorted(jobs, key=lambda job: -Path(job.url).stat().st_size)
     with count_bar(len(jobs), "part") as step:
-        for job, end in run_local(large_first, settings, limits, parallel):
+        for job, end in run_local(large_first, settings, limits, cache, parallel):
             rows[job] = _row(job, end)
             step(job.name)
     return [rows[job] for job in jobs]

@@ -40,8 +40,19 @@ def add_unit_option(parser: argparse.ArgumentParser) -> None:
     )
 
 
+def add_cache_option(parser: argparse.ArgumentParser) -> None:
+    """Add ``--no-cache``, stored as ``cached``."""
+    parser.add_argument(
+        "--no-cache",
+        dest="cached",
+        action="store_false",
+        help="do unchanged parts again, too, and don't keep their results",
+    )
+
+
 def add_corpus_options(parser: argparse.ArgumentParser) -> None:
-    """Add ``--jobs``, ``--time-limit`` and ``--memory-limit``."""
+    """Add ``--jobs``, ``--time-limit``, ``--memory-limit`` and ``--no-cache``."""
+    add_cache_option(parser)
     parser.add_argument("--jobs", type=positive_int, default=2, metavar="N", help="at once; 2")
     parser.add_argument(
         "--time-limit", type=positive, default=300.0, metavar="SECONDS", help="a file; 300"

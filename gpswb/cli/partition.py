@@ -4,12 +4,14 @@
 from __future__ import annotations
 
 import argparse
+import json
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from gpswb.batch.settings import Settings
 from gpswb.cli.guard import guarded
 from gpswb.cli.options import (
+    add_cache_option,
     add_density_option,
     add_pipeline_options,
     add_unit_option,
@@ -22,6 +24,9 @@ if TYPE_CHECKING:
 
 OWNED = ("result.json", "labels.npz", "mesh.ply", "faces.csv", "report.html")
 """Every file that this verb may write in the output directory."""
+
+SAID = "printed.json"
+"""The lines that were printed, beside the files in the cache."""
 
 
 def register(verbs: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
@@ -43,6 +48,7 @@ def register(verbs: argparse._SubParsersAction[argparse.ArgumentParser]) -> None
         metavar="SIGMA",
         help="standard deviation of the vertices, mm; default: estimated from the mesh",
     )
+    add_cache_option(parser)
     parser.add_argument("--no-report", action="store_true", help="don't write report.html")
     parser.set_defaults(run=run)
 
@@ -59,17 +65,48 @@ def run(args: argparse.Namespace) -> int:
 
 def _work(args: argparse.Namespace, draft: Path) -> tuple[list[str], list[str]]:
     """What is printed and the names of the files written in ``draft``."""
-    from gpswb.batch.one_part import examine
-    from gpswb.cli.progress import stage_bar
-    from gpswb.cli.table import result_lines
+    from gpswb.batch.cache import Cache
 
     settings = Settings(
         args.density, args.mode, args.method, args.kernel, noise=args.noise, unit=args.unit
     )
+    key = _key(args, settings) if args.cached else None
+    cache = Cache.of_user()
+    if key and (known := cache.get(key)):
+        said = json.loads(known.pop(SAID))
+        names = [name for name in known if name in OWNED]
+        for name in names:
+            (draft / name).write_bytes(known[name])
+        return [*said, "", "this part was partitioned before: taken from the cache"], names
+    lines, names = _partition(args, settings, draft)
+    if key:
+        files = {name: (draft / name).read_bytes() for name in names}
+        cache.put(key, {**files, SAID: json.dumps(lines).encode()})
+    return lines, names
+
+
+def _key(args: argparse.Namespace, settings: Settings) -> str | None:
+    """The name of the results in the cache; None where the part can't be read."""
+    from gpswb.batch.cache import Cache
+
+    # The path, because result.json and the report name it.
+    what = {"what": "partition", "path": str(args.input), "report": not args.no_report}
+    try:
+        return Cache.key(args.input, args.kernel, {**what, "settings": settings.plain()})
+    except OSError:
+        return None
+
+
+def _partition(
+    args: argparse.Namespace, settings: Settings, draft: Path
+) -> tuple[list[str], list[str]]:
+    from gpswb.batch.one_part import examine
+    from gpswb.cli.progress import stage_bar
+    from gpswb.cli.table import result_lines
+
     with stage_bar() as progress:
         outcome = examine(args.input, settings, progress)
-    names = write_all(draft, outcome, report=not args.no_report)
-    return result_lines(outcome), names
+    return result_lines(outcome), write_all(draft, outcome, report=not args.no_report)
 
 
 def write_all(directory: Path, outcome: Outcome, report: bool) -> list[str]:

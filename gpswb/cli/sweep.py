@@ -107,14 +107,14 @@ def _measure_all(args: argparse.Namespace) -> list[Point]:
 def _measure(
     args: argparse.Namespace, files: Sequence[Path], asked: Density, noise: float
 ) -> Point:
-    from gpswb.batch.isolated import Limits
+    from gpswb.batch.job import Limits
     from gpswb.cli.corpus_run import examine_all
     from gpswb.validation.corpus import totals
 
     settings = Settings(asked, args.mode, args.method, args.kernel, noise_added=noise)
     limits = Limits(args.time_limit, int(args.memory_limit * 1e9))
     with tempfile.TemporaryDirectory() as scratch:
-        rows = examine_all(files, Path(scratch), settings, limits, args.jobs)
+        rows = examine_all(files, Path(scratch), settings, limits, args.cached, args.jobs)
     judged = [row for row in rows if row.judged]
     if not judged:
         why = next((f": {row.message}" for row in rows if row.message), "")

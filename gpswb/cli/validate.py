@@ -57,7 +57,7 @@ def register(verbs: argparse._SubParsersAction[argparse.ArgumentParser]) -> None
 
 def run(args: argparse.Namespace) -> int:
     """Do it; the exit code."""
-    from gpswb.batch.isolated import Limits
+    from gpswb.batch.job import Limits
     from gpswb.cli.corpus_files import check_docs, summary_lines, write_corpus, write_docs
     from gpswb.cli.corpus_run import collect, examine_all
     from gpswb.io.whole import whole_directory
@@ -73,7 +73,7 @@ def run(args: argparse.Namespace) -> int:
         args.docs = args.docs / "validation.md" if args.docs.is_dir() else args.docs
         check_docs(args.docs, title)
     with whole_directory(args.out, OWNED) as draft:
-        rows = examine_all(files, draft, settings, limits, args.jobs)
+        rows = examine_all(files, draft, settings, limits, args.cached, args.jobs)
         names = write_corpus(draft, rows, settings, title, command, args.pictures)
     if args.docs:
         write_docs(args.docs, rows, title, command)

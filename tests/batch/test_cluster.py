@@ -9,16 +9,16 @@ import subprocess
 import sys
 import time
 from collections import Counter
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from pathlib import Path
 
 import pandas as pd
 import pytest
+from made_blocks import SETTINGS, make_blocks
 
 from gpswb.batch.cluster import run_on_cluster
-from gpswb.batch.isolated import End, Job, Limits
+from gpswb.batch.job import End, Job, Limits
 from gpswb.batch.record import decode
-from gpswb.batch.settings import Settings
 from gpswb.batch.source import find_parts
 from gpswb.errors import InputError
 
@@ -50,7 +50,7 @@ def joining(said: Path) -> tuple[str, ...]:
 
 def batch(root: Path, out: Path, address: str) -> list[str]:
     words = [sys.executable, "-m", "gpswb", "batch", str(root), "--out", str(out)]
-    return [*words, "--method", "curvature", "--scheduler", address]
+    return [*words, "--method", "curvature", "--no-cache", "--scheduler", address]
 
 
 def children(pid: int) -> set[int]:
@@ -71,10 +71,8 @@ def entries(record: Path) -> list[dict]:
     return [entry for line in lines if (entry := decode(line)) and "part" in entry]
 
 
-def test_a_killed_worker_costs_no_part_and_doubles_none(
-    blocks: Callable[[int], Path], tmp_path: Path
-) -> None:
-    root, out, said = blocks(12), tmp_path / "out", tmp_path / "scheduler.json"
+def test_a_killed_worker_costs_no_part_and_doubles_none(tmp_path: Path) -> None:
+    root, out, said = make_blocks(tmp_path, 12), tmp_path / "out", tmp_path / "scheduler.json"
     # The first under its nanny, as `dask worker` starts it; the second is the worker itself.
     with (
         scheduler_at(said) as (_, address),
@@ -108,10 +106,8 @@ def test_a_killed_worker_costs_no_part_and_doubles_none(
     assert not any(Path(f"/proc/{pid}").exists() for pid in orphans)
 
 
-def test_a_killed_scheduler_ends_the_run_in_one_line(
-    blocks: Callable[[int], Path], tmp_path: Path
-) -> None:
-    root, out, said = blocks(12), tmp_path / "out", tmp_path / "scheduler.json"
+def test_a_killed_scheduler_ends_the_run_in_one_line(tmp_path: Path) -> None:
+    root, out, said = make_blocks(tmp_path, 12), tmp_path / "out", tmp_path / "scheduler.json"
     with scheduler_at(said) as (scheduler, address), dask("worker", *joining(said)):
         words = batch(root, out, address)
         with subprocess.Popen(words, stderr=subprocess.PIPE, text=True) as run:
@@ -128,11 +124,11 @@ def test_a_killed_scheduler_ends_the_run_in_one_line(
 
 
 def test_no_scheduler_and_no_worker_are_said(
-    tmp_path: Path, settings: Settings, monkeypatch: pytest.MonkeyPatch
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     def ends(where: str) -> list[tuple[Job, End]]:
         job = Job("a.step", "a.step", tmp_path / "a")
-        return list(run_on_cluster([job], settings, Limits(60, 10**9), where))
+        return list(run_on_cluster([job], SETTINGS, Limits(60, 10**9), False, where))
 
     monkeypatch.setattr("gpswb.batch.cluster.PATIENCE", 1)
     with pytest.raises(InputError, match="no scheduler answers at tcp:"):

@@ -10,14 +10,15 @@ import subprocess
 import sys
 import threading
 import time
-from collections.abc import Callable
 from pathlib import Path
 
 import pytest
+from made_blocks import SETTINGS, make_blocks
 
-from gpswb.batch.isolated import Job, Limits, end_child, end_of, examine_isolated
+from gpswb.batch.isolated import end_child, end_of
+from gpswb.batch.job import End, Job, Limits
 from gpswb.batch.local import run_local
-from gpswb.batch.settings import Settings
+from gpswb.batch.one_job import do_job
 
 PLENTY = Limits(120, 6 * 10**9)
 
@@ -57,49 +58,53 @@ def test_child_out_of_time_is_ended(tmp_path: Path, deaf: bool) -> None:
     assert not child.is_alive()
 
 
-def test_each_file_gets_its_end(tmp_path: Path, settings: Settings) -> None:
+def test_each_file_gets_its_end(tmp_path: Path) -> None:
     jobs = [job(tmp_path, name) for name in ("a.step", "b.brep", "c.txt")]
-    ends = {j.name: end for j, end in run_local(jobs, settings, PLENTY, 2)}
+    ends = {j.name: end for j, end in run_local(jobs, SETTINGS, PLENTY, None, 2)}
     assert set(ends) == {"a.step", "b.brep", "c.txt"}
     assert {end.status for end in ends.values()} == {"refused"}
     # The row names the file; its message doesn't again.
     assert not any(str(tmp_path) in end.message for end in ends.values())
 
 
-def test_limits_hold_in_a_real_child(blocks: Callable[[int], Path], settings: Settings) -> None:
-    path = next(blocks(1).rglob("*.off"))
-    stop = threading.Event()
-    out = path.parent / "out"
-    end = examine_isolated(Job(str(path), "a", out / "a"), settings, Limits(1e-3, 10**9), stop)
-    assert end.status == "timeout"
+def test_limits_hold_in_a_real_child(tmp_path: Path) -> None:
+    path = next(make_blocks(tmp_path, 1).rglob("*.off"))
+
+    def ends(name: str, limits: Limits) -> End:
+        job = Job(str(path), name, tmp_path / name)
+        return do_job(job, SETTINGS, limits, None, threading.Event())
+
+    assert ends("a", Limits(1e-3, 10**9)).status == "timeout"
     # Less than Python and numpy take to start with.
-    end = examine_isolated(Job(str(path), "b", out / "b"), settings, Limits(60, 10**6), stop)
-    assert end.status in ("memory", "crashed")
-    end = examine_isolated(Job(str(path), "c", out / "c"), settings, PLENTY, stop)
+    assert ends("b", Limits(60, 10**6)).status in ("memory", "crashed")
+    end = ends("c", PLENTY)
     assert end.status == "done"
     assert 0 < (end.cpu_s or 0) < 60
     assert 10 < (end.memory_mb or 0) < 6000
-    result = json.loads((out / "c" / "result.json").read_text("utf-8"))
+    result = json.loads((tmp_path / "c" / "result.json").read_text("utf-8"))
     assert result["source"]["path"] == str(path)
 
 
 ORPHAN = """
 import os, sys, threading, time
 from pathlib import Path
-from gpswb.batch import isolated
+from gpswb.batch import child, isolated
+from gpswb.batch.job import Job, Limits
 from gpswb.batch.settings import Settings
 from gpswb.cad.density import Density
 
 def hang(*words):
-    threading.Thread(target=isolated._follow_parent, daemon=True).start()
+    threading.Thread(target=child.follow_parent, daemon=True).start()
     print(os.getpid(), flush=True)
     time.sleep(60)
 
 if __name__ == "__main__":
-    isolated._child = hang
-    job = isolated.Job(__file__, "x", Path(sys.argv[1]))
+    isolated.examine_in_child = hang
+    out = Path(sys.argv[1])
+    out.mkdir()
     settings = Settings(Density("auto"), "robust", "curvature", "ocp")
-    isolated.examine_isolated(job, settings, isolated.Limits(60, 10**9), threading.Event())
+    job, limits = Job(__file__, "x", out), Limits(60, 10**9)
+    isolated.examine_isolated(Path(__file__), job, settings, limits, threading.Event())
 """
 
 

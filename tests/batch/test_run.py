@@ -9,14 +9,15 @@ import subprocess
 import sys
 import time
 from collections import Counter
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Iterable, Iterator
 from pathlib import Path
 
 import pandas as pd
 import pytest
+from made_blocks import SETTINGS, make_blocks
 
 from gpswb.batch.columns import COLUMNS
-from gpswb.batch.isolated import End, Job
+from gpswb.batch.job import End, Job
 from gpswb.batch.record import decode
 from gpswb.batch.run import Shard, run_batch
 from gpswb.batch.settings import Settings
@@ -61,7 +62,7 @@ def run(
     parts: list[Part],
     out: Path,
     examiner: Examiner,
-    settings: Settings,
+    settings: Settings = SETTINGS,
     shard: Shard | None = None,
     retry: bool = False,
 ) -> pd.DataFrame:
@@ -72,17 +73,15 @@ def run(
     return table
 
 
-def test_an_ended_run_is_gone_on_with(
-    blocks: Callable[[int], Path], tmp_path: Path, settings: Settings
-) -> None:
-    parts, out = find_parts(str(blocks(9)), OFF), tmp_path / "out"
+def test_an_ended_run_is_gone_on_with(tmp_path: Path) -> None:
+    parts, out = find_parts(str(make_blocks(tmp_path, 9)), OFF), tmp_path / "out"
     first, second, third = Examiner(stop_after=4), Examiner(), Examiner()
     with pytest.raises(KeyboardInterrupt):
-        run(parts, out, first, settings)
-    table = run(parts, out, second, settings)
+        run(parts, out, first)
+    table = run(parts, out, second)
     assert first.seen + second.seen == Counter(part.name for part in parts)
     assert table["part"].tolist() == [part.name for part in parts]
-    assert run(parts, out, third, settings)["status"].eq("done").all()
+    assert run(parts, out, third)["status"].eq("done").all()
     assert not third.seen
     for part in parts:
         assert (out / "parts" / part.name / "labels.npz").read_text() == part.name
@@ -91,66 +90,58 @@ def test_an_ended_run_is_gone_on_with(
     ]  # fmt: skip
 
 
-def test_changed_and_lost_parts_are_done_again(
-    blocks: Callable[[int], Path], tmp_path: Path, settings: Settings
-) -> None:
-    root, out = blocks(5), tmp_path / "out"
-    run(find_parts(str(root), OFF), out, Examiner(), settings)
+def test_changed_and_lost_parts_are_done_again(tmp_path: Path) -> None:
+    root, out = make_blocks(tmp_path, 5), tmp_path / "out"
+    run(find_parts(str(root), OFF), out, Examiner())
     changed, lost = find_parts(str(root), OFF)[1], find_parts(str(root), OFF)[3]
     os.utime(changed.url, (1, 1))
     (out / "parts" / lost.name / "result.json").unlink()
     again = Examiner()
-    table = run(find_parts(str(root), OFF), out, again, settings)
+    table = run(find_parts(str(root), OFF), out, again)
     assert set(again.seen) == {changed.name, lost.name}
     assert len(table) == 5
 
 
-def test_failures_are_results_until_they_are_retried(
-    blocks: Callable[[int], Path], tmp_path: Path, settings: Settings
-) -> None:
-    parts, out = find_parts(str(blocks(5)), OFF), tmp_path / "out"
-    table = run(parts, out, Examiner(bad="block02"), settings).set_index("part")
+def test_failures_are_results_until_they_are_retried(tmp_path: Path) -> None:
+    parts, out = find_parts(str(make_blocks(tmp_path, 5)), OFF), tmp_path / "out"
+    table = run(parts, out, Examiner(bad="block02")).set_index("part")
     assert table.loc["0/block02.off", "status"] == "timeout"
     assert table.loc["0/block02.off", ["regions", "planar_area"]].isna().all()
     assert not (out / "parts" / "0" / "block02.off").exists()
     idle = Examiner()
-    run(parts, out, idle, settings)
+    run(parts, out, idle)
     assert not idle.seen
     again = Examiner()
-    table = run(parts, out, again, settings, retry=True)
+    table = run(parts, out, again, retry=True)
     assert list(again.seen) == ["0/block02.off"]
     assert table["status"].tolist() == ["done"] * 5
 
 
-def test_shards_divide_the_parts_and_share_a_table(
-    blocks: Callable[[int], Path], tmp_path: Path, settings: Settings
-) -> None:
-    parts, out = find_parts(str(blocks(12)), OFF), tmp_path / "out"
+def test_shards_divide_the_parts_and_share_a_table(tmp_path: Path) -> None:
+    parts, out = find_parts(str(make_blocks(tmp_path, 12)), OFF), tmp_path / "out"
     examiners = [Examiner() for _ in range(3)]
     for i, examiner in enumerate(examiners):
-        table = run(parts, out, examiner, settings, Shard(i + 1, 3))
+        table = run(parts, out, examiner, SETTINGS, Shard(i + 1, 3))
     assert sum((e.seen for e in examiners), Counter()) == Counter(part.name for part in parts)
     assert sum(bool(e.seen) for e in examiners) > 1
     assert len(table) == 12
     # A shard that another division had done already is left alone.
     whole = Examiner()
-    run(parts, out, whole, settings)
+    run(parts, out, whole)
     assert not whole.seen
 
 
-def test_other_settings_need_another_directory(
-    blocks: Callable[[int], Path], tmp_path: Path, settings: Settings
-) -> None:
-    parts, out = find_parts(str(blocks(2)), OFF), tmp_path / "out"
-    run(parts, out, Examiner(), settings)
+def test_other_settings_need_another_directory(tmp_path: Path) -> None:
+    parts, out = find_parts(str(make_blocks(tmp_path, 2)), OFF), tmp_path / "out"
+    run(parts, out, Examiner())
     other = Settings(Density("fine"), "robust", "curvature", "ocp")
     for shard in (Shard(), Shard(1, 2)):
         with pytest.raises(InputError, match="other settings"):
             run(parts, out, Examiner(), other, shard)
 
 
-def test_no_part_leaves_no_type_behind(tmp_path: Path, settings: Settings) -> None:
-    table = run([], tmp_path / "out", Examiner(), settings)
+def test_no_part_leaves_no_type_behind(tmp_path: Path) -> None:
+    table = run([], tmp_path / "out", Examiner())
     assert list(table.columns) == list(COLUMNS)
     assert len(table) == 0
 
@@ -161,12 +152,10 @@ def entries(path: Path) -> list[dict]:
     return [entry for entry in found if "part" in entry]
 
 
-def test_kill_9_loses_nothing_and_does_nothing_twice(
-    blocks: Callable[[int], Path], tmp_path: Path
-) -> None:
-    root, out = blocks(8), tmp_path / "out"
+def test_kill_9_loses_nothing_and_does_nothing_twice(tmp_path: Path) -> None:
+    root, out = make_blocks(tmp_path, 8), tmp_path / "out"
     words = [sys.executable, "-m", "gpswb", "batch", str(root), "--out", str(out)]
-    words += ["--method", "curvature", "--jobs", "1"]
+    words += ["--method", "curvature", "--no-cache", "--jobs", "1"]
     record = out / "record.jsonl"
     with subprocess.Popen(words, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL) as process:
         deadline = time.monotonic() + 120

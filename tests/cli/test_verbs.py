@@ -136,6 +136,7 @@ def test_noise_is_added_and_the_same_each_time(
             "coarse",
             "--method",
             "curvature",
+            "--no-cache",
         ]
         assert gpswb(*words, "--noise-added", "0.001").returncode == 0
         with np.load(out / "parts" / "block.step" / "labels.npz") as labels:
