@@ -7,12 +7,16 @@ from collections.abc import Sequence
 from typing import Any
 
 import FreeCAD
-from PySide import QtCore, QtGui
 
-try:
-    from PySide import QtWidgets
-except ImportError:  # FreeCAD's PySide has the widgets in QtGui where it wraps Qt 5
-    QtWidgets = QtGui
+if FreeCAD.GuiUp:
+    from PySide import QtCore, QtGui
+
+    try:
+        from PySide import QtWidgets
+    except ImportError:  # FreeCAD's PySide has the widgets in QtGui where it wraps Qt 5
+        QtWidgets = QtGui
+else:  # a script has no Qt, and needs none
+    QtCore = QtGui = QtWidgets = None
 
 __all__ = ["QtCore", "QtGui", "QtWidgets"]
 
@@ -70,9 +74,11 @@ def set_face_colours(view: Any, colours: Sequence[Sequence[float]]) -> None:
 
 def add_group(obj: Any) -> None:
     """Let an object hold others, in the tree too, also where this workbench is missing."""
-    obj.addExtension("App::GroupExtensionPython")
+    if not obj.hasExtension("App::GroupExtension"):
+        obj.addExtension("App::GroupExtensionPython")
 
 
 def add_group_view(view: Any) -> None:
     """The view's half of `add_group`."""
-    view.addExtension("Gui::ViewProviderGroupExtensionPython")
+    if not view.hasExtension("Gui::ViewProviderGroupExtension"):
+        view.addExtension("Gui::ViewProviderGroupExtensionPython")

@@ -81,7 +81,7 @@ class _Palette:
         if name == "Palette":
             for document in FreeCAD.listDocuments().values():
                 for view in _views(document):
-                    view.Proxy.recolour(view)
+                    view.Proxy.show(view)
 
 
 def watch() -> None:

@@ -21,12 +21,14 @@ class GpsWorkbench(FreeCADGui.Workbench):
     def Initialize(self) -> None:
         """Make commands, menu, toolbar and preferences page; FreeCAD calls it once."""
         from gpswb.gui.commands import GROUPS, register
+        from gpswb.gui.source_colours import watch
 
         FreeCADGui.addLanguagePath(str(FOLDER / "translations"))
         FreeCADGui.updateLocale()
         FreeCADGui.addIconPath(str(ICONS))
         FreeCADGui.addPreferencePage(str(FOLDER / "preferences.ui"), "GPS")
         register()
+        watch()
         for title, names in GROUPS:
             self.appendToolbar(title, list(names))
         listed = [name for _, names in GROUPS for name in (*names, "Separator")]

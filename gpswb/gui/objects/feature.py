@@ -46,8 +46,9 @@ class FeatureProxy:
     def __init__(self, obj: Any) -> None:
         obj.Proxy = self
         for kind, name, group, text in _PROPERTIES:
-            obj.addProperty(kind, name, group, text)
-            obj.setEditorMode(name, 1)
+            if not hasattr(obj, name):
+                obj.addProperty(kind, name, group, text)
+                obj.setEditorMode(name, 1)
 
     def execute(self, obj: Any) -> None:
         """Nothing depends on anything that the partition doesn't know first."""
@@ -100,13 +101,19 @@ def sync_features(partition: Any, stored: StoredResult) -> Iterator[None]:
 
 def _new(document: Any) -> Any:
     obj = document.addObject("Part::FeaturePython", "GpsFeature")
+    animate(obj)
+    if compat.has_window():
+        obj.ViewObject.Visibility = preferences.show_situation()
+    return obj
+
+
+def animate(obj: Any) -> None:
+    """Give a document object and its view their behaviour."""
     FeatureProxy(obj)
     if compat.has_window():
         from gpswb.gui.objects.feature_view import FeatureView
 
         FeatureView(obj.ViewObject)
-        obj.ViewObject.Visibility = preferences.show_situation()
-    return obj
 
 
 def _fill(obj: Any, source: Any, region: Region, faces: list[str]) -> None:
@@ -122,8 +129,6 @@ def _fill(obj: Any, source: Any, region: Region, faces: list[str]) -> None:
     _set_optional(obj, _SITUATION, region.situation)
     _set_optional(obj, _INTRINSIC, region.intrinsic)
     obj.Shape = situation_shape(region, [source.Shape.getElement(name) for name in faces])
-    if obj.ViewObject is not None and getattr(obj.ViewObject, "Proxy", None):
-        obj.ViewObject.Proxy.recolour(obj.ViewObject)
 
 
 def _set_optional(

@@ -1,11 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""How a feature is seen: thin geometry in its class's colour."""
+"""How a feature is seen: as thin geometry, with the symbol of its class in the tree."""
 
 from __future__ import annotations
 
 from typing import Any
 
-from gpswb.gui import preferences
 from gpswb.gui.icons import class_icon
 
 
@@ -14,7 +13,8 @@ class FeatureView:
 
     def __init__(self, view: Any) -> None:
         view.Proxy = self
-        view.LineWidth = 1.0
+        view.LineWidth = 2.0
+        view.LineColor = (0.0, 0.0, 0.0)  # as on a drawing; the icon has the class's colour
         view.PointSize = 1.0
         view.DrawStyle = "Dashdot"
         view.Selectable = False  # it must not be in the way of picks on the part's faces
@@ -22,14 +22,6 @@ class FeatureView:
     def attach(self, view: Any) -> None:
         """Remember the object, which the icon needs."""
         self.obj = view.Object
-
-    def recolour(self, view: Any) -> None:
-        """Take the colour of the feature's class."""
-        rgb = preferences.palette().get(view.Object.Class)
-        if rgb is not None:
-            # Darker than the faces, on which it would not be seen otherwise.
-            colour = tuple(0.6 * value / 255 for value in rgb)
-            view.LineColor = view.PointColor = colour
 
     def getIcon(self) -> str:
         """A dot in the class's colour."""

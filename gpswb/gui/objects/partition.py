@@ -10,7 +10,6 @@ that a document opens whatever version of this workbench is there, or none.
 
 from __future__ import annotations
 
-import hashlib
 import json
 from collections.abc import Iterator, Sequence
 from pathlib import Path
@@ -20,6 +19,8 @@ from gpswb.cad.density import Density
 from gpswb.core.invariance import InvarianceClass
 from gpswb.errors import GpswbError, InputError
 from gpswb.gui import compat, preferences
+from gpswb.gui.fingerprint import shape_fingerprint
+from gpswb.gui.objects.feature import animate as animate_feature
 from gpswb.gui.objects.feature import sync_features
 from gpswb.gui.overrides import Action, apply_overrides, from_json, override_on, to_json
 from gpswb.gui.runs import Run
@@ -108,8 +109,27 @@ def is_partition(obj: Any) -> bool:
 
 
 def partitions(document: Any) -> list[Any]:
-    """The partitions of a document."""
+    """The partitions of a document.
+
+    A FreeCAD without this workbench keeps all properties of our objects but not their behaviour: a
+    document that was saved there gets it back here.
+    """
+    for obj in document.Objects:
+        if getattr(obj, "Proxy", obj) is None:
+            if hasattr(obj, "RunKey"):
+                animate(obj)
+            elif hasattr(obj, "LogLikelihood"):
+                animate_feature(obj)
     return [obj for obj in document.Objects if is_partition(obj)]
+
+
+def animate(obj: Any) -> None:
+    """Give a document object and its view their behaviour."""
+    PartitionProxy(obj)
+    if compat.has_window():
+        from gpswb.gui.objects.partition_view import PartitionView
+
+        PartitionView(obj.ViewObject)
 
 
 def make_partition(source: Any, density: str = "", mode: str = "", *, compute: bool = True) -> Any:
@@ -129,7 +149,7 @@ def make_partition(source: Any, density: str = "", mode: str = "", *, compute: b
     check_density(density)
     obj = source.Document.addObject("App::FeaturePython", "GpsPartition")
     try:
-        PartitionProxy(obj)
+        animate(obj)
         obj.Label = f"GPS Partition of {source.Label}"
         obj.Source = source
         obj.Density = density
@@ -137,10 +157,6 @@ def make_partition(source: Any, density: str = "", mode: str = "", *, compute: b
         parent = source.getParentGeoFeatureGroup()
         if parent is not None:
             parent.addObject(obj)
-        if compat.has_window():
-            from gpswb.gui.objects.partition_view import PartitionView
-
-            PartitionView(obj.ViewObject)
         if compute:
             run(obj)
     except BaseException:
@@ -222,9 +238,9 @@ def run(obj: Any) -> None:
 
 
 def run_key(obj: Any) -> str:
-    """Fingerprint of what the result depends on: the shape, without its display mesh; settings."""
-    text = obj.Source.Shape.cleaned().exportBrepToString() if obj.Source else ""
-    return hashlib.sha256(f"{obj.Density}\n{obj.Mode}\n{text}".encode()).hexdigest()
+    """What the result depends on: density, mode and the shape's fingerprint."""
+    shape = shape_fingerprint(obj.Source.Shape) if obj.Source else "none"
+    return f"{obj.Density} {obj.Mode} {shape}"
 
 
 def stored_result(obj: Any) -> StoredResult:
@@ -236,18 +252,18 @@ def stored_result(obj: Any) -> StoredResult:
     if not obj.Result or not obj.Labels:
         raise InputError(f"{obj.Label} has no result yet")
     known = _read.get(obj.Labels)
-    if known is None or known[0] != obj.RunKey:
+    if known is None or known[0] != hash(obj.Result):
         try:
             document = json.loads(obj.Result)
         except ValueError as error:
             raise InputError(f"the result of {obj.Label} is damaged ({error})") from None
-        known = obj.RunKey, read_stored_result(document, Path(obj.Labels))
+        known = hash(obj.Result), read_stored_result(document, Path(obj.Labels))
         _read.clear()
         _read[obj.Labels] = known
     return known[1]
 
 
-_read: dict[str, tuple[str, StoredResult]] = {}
+_read: dict[str, tuple[int, StoredResult]] = {}
 """The result that was read last, by file and run: it takes a second for a million triangles."""
 
 

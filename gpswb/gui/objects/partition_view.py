@@ -52,6 +52,7 @@ class PartitionView:
         """Follow the object: ``Status`` is the last property that a run sets."""
         if name in ("Status", "Datums") and hasattr(obj.ViewObject, "ColourBy"):
             self.show(obj.ViewObject)
+            obj.ViewObject.signalChangeIcon()
 
     def onChanged(self, view: Any, name: str) -> None:
         """Follow the view's own properties."""
@@ -81,12 +82,6 @@ class PartitionView:
         else:
             show_colours(view, found.face_colours)
             _show_source(view, True)
-
-    def recolour(self, view: Any) -> None:
-        """Take the colours that the preferences say, features too."""
-        self.show(view)
-        for feature in features(view.Object):
-            feature.ViewObject.Proxy.recolour(feature.ViewObject)
 
     def onDelete(self, view: Any, subelements: Any) -> bool:
         """Give the user's colours back and take the features along."""

@@ -21,15 +21,15 @@ _VALUES = (
     ("turn", QT_TRANSLATE_NOOP("GPS", "Elements a turn"), 3, 720, 0, "", 36),
     ("edge", QT_TRANSLATE_NOOP("GPS", "Edge length"), 1e-4, 1e6, 4, " mm", 1.0),
     ("deflection", QT_TRANSLATE_NOOP("GPS", "Deflection"), 1e-5, 1e5, 5, " mm", 0.05),
-    ("vertices", QT_TRANSLATE_NOOP("GPS", "Number of vertices"), 4, 2e7, 0, "", 10_000),
-    ("triangles", QT_TRANSLATE_NOOP("GPS", "Number of triangles"), 4, 2e7, 0, "", 20_000),
+    ("vertices", QT_TRANSLATE_NOOP("GPS", "Vertices"), 4, 2e7, 0, "", 10_000),
+    ("triangles", QT_TRANSLATE_NOOP("GPS", "Triangles"), 4, 2e7, 0, "", 20_000),
 )
 
 
 def let_shrink(box: Any) -> None:
     """Let a list be narrower than its longest entry: FreeCAD's task view may be narrow."""
     box.setSizeAdjustPolicy(QtWidgets.QComboBox.AdjustToMinimumContentsLengthWithIcon)
-    box.setMinimumContentsLength(8)
+    box.setMinimumContentsLength(10)
 
 
 class DensityWidget(QtWidgets.QWidget):

@@ -233,6 +233,7 @@ class PartitionPanel:
         FreeCADGui.Selection.removeObserver(self)
         close_panel()
         FreeCADGui.Selection.clearSelection()  # a selected part hides its colours
+        FreeCADGui.getDocument(obj.Document.Name).toggleTreeItem(obj, 2)  # open it in the tree
         show_legend()
 
     def _failed(self, why: str) -> None:

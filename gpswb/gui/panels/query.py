@@ -45,7 +45,7 @@ class QueryPanel:
         self.clear = QtWidgets.QPushButton(translate("GPS", "As recognised"))
         self.classes = QtWidgets.QComboBox()
         let_shrink(self.classes)
-        self.classes.addItem(translate("GPS", "Change class to …"), None)
+        self.classes.addItem(translate("GPS", "Change class …"), None)
         for name in CLASSES:
             self.classes.addItem(QtGui.QIcon(class_icon(name)), translate("GPS", name), name)
         better = QtWidgets.QGroupBox(translate("GPS", "You know better"))

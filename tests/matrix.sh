@@ -1,0 +1,39 @@
+#!/bin/sh
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# The self-test and the window's tests in Debian 13 with its FreeCAD 1.0: tests/matrix.sh DIRECTORY,
+# where the system is made, once (about 2.5 GB). Run as root; its mounts are seen by nobody else.
+set -eu
+system=$1
+root=$(CDPATH='' cd -- "$(dirname -- "$0")/.." && pwd)
+packages="freecad libgl1-mesa-dri python3-numpy python3-pytest python3-scipy xauth xvfb"
+
+if [ ! -e "$system/made" ]; then
+    rm -rf --one-file-system "$system"
+    mkdir -p "$system"
+    debootstrap --variant=minbase trixie "$system"
+    # No service is to start in there, and no documentation is read.
+    printf '#!/bin/sh\nexit 101\n' >"$system/usr/sbin/policy-rc.d"
+    chmod +x "$system/usr/sbin/policy-rc.d"
+fi
+mkdir -p "$system/gpswb"
+
+export root system packages
+unshare --mount sh -eu <<'END'
+mount -t proc proc "$system/proc"
+mount --rbind /dev "$system/dev"
+mount --bind "$root" "$system/gpswb"
+cp /etc/resolv.conf "$system/etc/resolv.conf"
+inside() {
+    chroot "$system" env -i HOME=/root LANG=C.UTF-8 PATH=/usr/sbin:/usr/bin:/sbin:/bin \
+        DEBIAN_FRONTEND=noninteractive QT_QPA_PLATFORM=offscreen \
+        ${OMP_NUM_THREADS:+OMP_NUM_THREADS=$OMP_NUM_THREADS} "$@"
+}
+if [ ! -e "$system/made" ]; then
+    # shellcheck disable=SC2086 # a list of words is meant
+    inside apt-get install -q -y --no-install-recommends $packages
+    touch "$system/made"
+fi
+inside dpkg-query -W -f '${Package} ${Version}\n' freecad libocct-foundation-7.8 python3 python3-numpy
+inside freecadcmd -t gpswb.selftest -M /gpswb </dev/null
+inside sh /gpswb/tests/gui/run.sh /gpswb/build/gui-matrix
+END
