@@ -5,15 +5,18 @@
 set -eu
 system=$1
 root=$(CDPATH='' cd -- "$(dirname -- "$0")/.." && pwd)
-packages="freecad libgl1-mesa-dri python3-numpy python3-pytest python3-scipy xauth xvfb"
+packages="
+    freecad libgl1-mesa-dri python3-hypothesis python3-numpy python3-pytest python3-scipy xauth xvfb
+"
 
-if [ ! -e "$system/made" ]; then
+if [ ! -e "$system/bare" ]; then
     rm -rf --one-file-system "$system"
     mkdir -p "$system"
     debootstrap --variant=minbase trixie "$system"
     # No service is to start in there, and no documentation is read.
     printf '#!/bin/sh\nexit 101\n' >"$system/usr/sbin/policy-rc.d"
     chmod +x "$system/usr/sbin/policy-rc.d"
+    touch "$system/bare"
 fi
 mkdir -p "$system/gpswb"
 
@@ -28,10 +31,10 @@ inside() {
         DEBIAN_FRONTEND=noninteractive QT_QPA_PLATFORM=offscreen \
         ${OMP_NUM_THREADS:+OMP_NUM_THREADS=$OMP_NUM_THREADS} "$@"
 }
-if [ ! -e "$system/made" ]; then
+if [ "$(cat "$system/installed" 2>/dev/null)" != "$packages" ]; then
     # shellcheck disable=SC2086 # a list of words is meant
     inside apt-get install -q -y --no-install-recommends $packages
-    touch "$system/made"
+    echo "$packages" >"$system/installed"
 fi
 inside dpkg-query -W -f '${Package} ${Version}\n' freecad libocct-foundation-7.8 python3 python3-numpy
 inside freecadcmd -t gpswb.selftest -M /gpswb </dev/null
