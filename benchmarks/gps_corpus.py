@@ -19,6 +19,7 @@ from multiprocessing.connection import Connection
 from pathlib import Path
 
 import numpy as np
+from docs_section import renew
 from true_partition import true_partition
 
 from gpswb.batch.one_part import examine
@@ -242,16 +243,6 @@ def markdown(rows: list[Row], *, recognised: bool) -> list[str]:
     return lines
 
 
-def write_docs(path: Path, lines: list[str], *, recognised: bool) -> None:
-    """Replace what stands between the markers of this kind of run."""
-    kind = "recognised" if recognised else "cad"
-    start, end = f"<!-- {kind}: start -->", f"<!-- {kind}: end -->"
-    before, _, rest = path.read_text(encoding="utf-8").partition(start)
-    after = rest.partition(end)[2]
-    text = "\n".join([start, "", *lines, "", end])
-    path.write_text(before + text + after, encoding="utf-8")
-
-
 def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
     parser.add_argument("files", type=Path, nargs="+", metavar="FILE")
@@ -265,7 +256,7 @@ def main() -> int:
         print(rows[-1], flush=True)
     lines = markdown(rows, recognised=args.recognised)
     if args.docs:
-        write_docs(args.docs, lines, recognised=args.recognised)
+        renew(args.docs, "recognised" if args.recognised else "cad", lines)
     print("\n".join(sums(rows)))
     return 0
 

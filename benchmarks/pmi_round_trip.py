@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""PMI appended to STEP files and read back by OCCT: ``python benchmarks/pmi_round_trip.py FILES``.
+"""PMI appended to STEP files and read back by OCCT: ``python benchmarks/pmi_round_trip.py FILES``;
+``--docs FILE.md`` renews the figures in a document.
 
 For each file: faces found in the text against the names that OCCT gives them (the face entities
 are renamed in a copy, which the matching never sees), then datums, tolerances and sizes of every
@@ -8,12 +9,14 @@ kind on its faces, written, read back by our reader and by OCCT's, and the origi
 
 from __future__ import annotations
 
+import argparse
 import re
 import sys
 import tempfile
 from collections.abc import Iterator
 from pathlib import Path
 
+from docs_section import renew
 from OCP.Interface import Interface_Static
 from OCP.STEPCAFControl import STEPCAFControl_Reader
 from OCP.TCollection import TCollection_ExtendedString
@@ -173,7 +176,8 @@ def untouched(before: Part21, after: Part21) -> bool:
     )
 
 
-def one(path: Path, directory: Path) -> bool:
+def one(path: Path, directory: Path) -> tuple[bool, str]:
+    """Whether all of one file is equal, and a line of a table."""
     solid = read_solid(path, Density("stl"))
     file = read_text(path)
     shapes = shapes_of(file)
@@ -182,13 +186,11 @@ def one(path: Path, directory: Path) -> bool:
     both = [name for name in found if name in names]
     wrong = [name for name in both if int(found[name].number) != names[name]]
     said = (
-        f"{path.name}: {solid.unit}, {len(shapes)} shapes with faces; "
-        f"{len(found)} of {len(solid.facemap.faces)} faces found in the text, "
-        f"{len(both)} checked by name, {len(wrong)} wrong; "
+        f"| {path.name} | {solid.unit} | {len(shapes)} | {len(found)}/{len(solid.facemap.faces)} | "
+        f"{len(both) - len(wrong)}/{len(both)} |"
     )
     if not found:
-        say(said + "nothing to annotate")
-        return False
+        return False, f"{said} nothing to annotate | | | |"
     product = shapes[next(iter(found.values())).shape].definition
     faces = [name for name in found if shapes[found[name].shape].definition == product]
     taken = {str(file[number]["DATUM"][-1]) for number in file.of("DATUM")}
@@ -201,21 +203,40 @@ def one(path: Path, directory: Path) -> bool:
     occt = differences(wanted, read_pmi_ocp(out), occt=True)
     same = untouched(file, again)
     count = len(wanted.datums) + len(wanted.tolerances) + len(wanted.sizes)
-    say(f"{said}{count} items; lost by us {own or 0}, by OCCT {occt or 0}; text kept: {same}")
-    return not (wrong or own or occt) and same
+    for lost in own + occt:
+        say(f"{path.name}: lost {lost}")
+    kept = "yes" if same else "no"
+    said += f" {count} | {count - len(own)} | {count - len(occt)} | {kept} |"
+    return not (wrong or own or occt) and same, said
 
 
-def main(paths: list[str]) -> int:
-    good = 0
+HEADER = [
+    "| file | unit | shapes | faces found | names right | items | read by gpswb | by OCCT | kept |",
+    "|---|---|---:|---:|---:|---:|---:|---:|---|",
+]
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(description="Round trip of AP242")
+    parser.add_argument("files", type=Path, nargs="+", metavar="FILE")
+    parser.add_argument("--docs", type=Path, metavar="FILE.md")
+    args = parser.parse_args()
+    good, lines = 0, []
     with tempfile.TemporaryDirectory() as directory:
-        for path in paths:
+        for path in args.files:
             try:
-                good += one(Path(path), Path(directory))
+                equal, line = one(path, Path(directory))
             except GpswbError as error:
-                say(str(error))
-    say(f"{good} of {len(paths)} files equal")
-    return 0 if good == len(paths) else 1
+                equal, line = False, f"| {path.name} | {error} | | | | | | | |"
+            good += equal
+            lines.append(line)
+            say(line)
+    result = f"{good} of {len(args.files)} files equal."
+    say(result)
+    if args.docs:
+        renew(args.docs, "round trip", [*HEADER, *lines, "", result])
+    return 0 if good == len(args.files) else 1
 
 
 if __name__ == "__main__":
-    raise SystemExit(main(sys.argv[1:]))
+    raise SystemExit(main())

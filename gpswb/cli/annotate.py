@@ -136,4 +136,4 @@ def features_of(outcome: Outcome) -> FeatureTable:
             for region in face.regions[:1]:
                 faces.setdefault(region, []).append(face.name)
                 bodies.setdefault(region, solids[face.name])
-    return feature_table(outcome.partition, faces, bodies=bodies)
+    return feature_table(outcome.partition, faces or None, bodies=bodies)

@@ -89,6 +89,8 @@ def maximal_features(
     Args:
         partition: its mesh in mm, oriented outwards (that tells a hole from a shaft).
         faces: names of the B-rep faces of each region id; a name given twice stays with the larger.
+            Regions without a face are bits of faces that have another region: they are left out.
+            None for a mesh, whose regions all count.
         bodies: number of the solid of each region id; all are of one where it isn't given.
 
     Returns:
@@ -103,7 +105,7 @@ def maximal_features(
     patches = []
     for index, region in enumerate(partition.regions):
         facets = order[ends[index] : ends[index + 1]]
-        if len(facets):
+        if len(facets) and (faces is None or faces.get(region.id)):
             _check(region)
             patches.append(_Patch(region, facets, mesh, (bodies or {}).get(region.id, 0)))
     patches.sort(key=lambda patch: -patch.region.area)

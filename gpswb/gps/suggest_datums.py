@@ -6,12 +6,16 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+import numpy as np
+
 from gpswb.gps.datum_system import Datum, DatumSystem, datum_system, needed_degrees
 from gpswb.gps.gps_feature import GpsFeature
 from gpswb.gps.tolerances import DEFAULT, Tolerances
 from gpswb.gps.twists import Frame
 
 _LETTERS = "ABCDEF"
+_OBLIQUE = 0.2
+"""A slope is a poor datum beside one that stands square, unless it is five times as large."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -36,7 +40,8 @@ def suggest_datums(
     """The best complete datum system and, where there is one, the runner-up.
 
     Letter after letter takes the feature that scores most: its area times the degrees of freedom
-    it adds, times how well its kind stands on a fixture or gauge. So a plate gets planes 3+2+1, a
+    it adds, times how well its kind stands on a fixture or gauge, less if it stands oblique to the
+    letters before it. So a plate gets planes 3+2+1, a
     flange its face, bore and a hole, a shaft its longest bearing and a shoulder, which stops at 5.
     No letter is without gain. Of several bodies the one with the largest surface gets the datums:
     a datum system belongs to one workpiece.
@@ -84,12 +89,30 @@ def _greedy(
             datum = Datum(_LETTERS[len(system.datums)], (feature,))
             longer = datum_system((*system.datums, datum), frame, tolerances)
             score = worth * longer.locks[-1].degrees
+            if _oblique(feature, system):
+                score *= _OBLIQUE
             if score > most:
                 best, most = longer, score
         if best is None:
             break
         system = best
     return system
+
+
+def _oblique(feature: GpsFeature, system: DatumSystem) -> bool:
+    """Whether its direction is neither along nor square to one of the system."""
+    if not feature.place.directed:
+        return False
+    own, near = np.array(feature.place.direction), system.tolerances.angle
+    for datum in system.situations:
+        if datum.directed:
+            along, across = (
+                abs(own @ datum.direction),
+                np.linalg.norm(np.cross(own, datum.direction)),
+            )
+            if min(along, float(across)) > np.sin(near):
+                return True
+    return False
 
 
 def _fitness(feature: GpsFeature) -> float:

@@ -267,3 +267,16 @@ def test_a_box_needs_six():
     box(part, (0, 0, 0), (30, 20, 10))
     (best, second) = suggest_datums(maximal_features(part.partition()), part.frame)
     assert best.needed == second.needed == 6
+
+
+def test_a_slope_gives_way_to_a_smaller_face_that_stands_square():
+    def make(part):
+        base = part.plane((0.0, 0.0, 0.0), (0.0, 0.0, -1.0), X, 200.0, 200.0)
+        part.plane((60.0, 0.0, 30.0), OBLIQUE, Y, 150.0, 60.0)
+        side = part.plane((0.0, 100.0, 10.0), Y, X, 150.0, 20.0)
+        part.plane((-100.0, 0.0, 10.0), (-1.0, 0.0, 0.0), Y, 100.0, 20.0)
+        return base, side
+
+    (base, side), (best, *_), _, _ = suggested(make)
+    assert [f.regions for f in primary(best)[:2]] == [(base,), (side,)]
+    assert best.complete

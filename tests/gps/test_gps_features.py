@@ -43,6 +43,15 @@ def test_every_region_and_face_is_in_exactly_one_feature():
     assert [f.area for f in features] == sorted((f.area for f in features), reverse=True)
 
 
+def test_a_region_without_a_face_is_a_bit_of_one():
+    part = Part()
+    top = part.plane((0.0, 0.0, 0.0), Z, X, 10.0, 10.0)
+    part.cylinder((20.0, 0.0, 0.0), Z, 5.0, 10.0)
+    assert len(maximal_features(part.partition())) == 2
+    (feature,) = maximal_features(part.partition(), {top: ["Face1"]})
+    assert feature.regions == (top,)
+
+
 def test_split_interrupted_and_coplanar_faces_are_united():
     part = Part()
     left, middle, right, *_ = shaft(part)
