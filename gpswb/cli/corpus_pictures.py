@@ -9,9 +9,9 @@ from pathlib import Path
 import numpy as np
 
 from gpswb.core.mesh import Mesh
-from gpswb.report.corpus_page import Figure
 from gpswb.report.picture import Labelled, close_up, whole_part
 from gpswb.report.png import png_bytes
+from gpswb.report.static_page import Figure
 from gpswb.validation.corpus import PartRow, failures_by_kind, worst_first
 
 

@@ -12,11 +12,11 @@ from types import FrameType
 
 import gpswb
 from gpswb.batch.messages import internal_error, one_line
-from gpswb.cli import annotate, batch, cache, partition, sweep, validate
+from gpswb.cli import annotate, batch, cache, compare, partition, sweep, validate
 from gpswb.cli.guard import ChildError
 from gpswb.errors import GpswbError
 
-VERBS = (partition, validate, sweep, annotate, batch, cache)
+VERBS = (partition, validate, sweep, annotate, compare, batch, cache)
 
 
 def main(argv: Sequence[str] | None = None) -> int:

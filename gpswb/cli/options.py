@@ -19,15 +19,29 @@ def add_pipeline_options(parser: argparse.ArgumentParser) -> None:
     """Add ``--mode``, ``--method`` and ``--kernel``."""
     parser.add_argument("--mode", choices=MODES, default="robust", help="default: %(default)s")
     parser.add_argument("--method", choices=METHODS, default="hybrid", help="default: %(default)s")
-    parser.add_argument(
-        "--kernel", choices=get_args(Kernel), default="ocp", help="default: %(default)s"
-    )
+    parser.add_argument("--kernel", choices=kernels(), default="ocp", help="default: %(default)s")
 
 
 def add_density_option(parser: argparse.ArgumentParser) -> None:
     """Add ``--density``."""
     parser.add_argument(
         "--density", type=density, default=Density("auto"), help=f"{FORMS}; default: %(default)s"
+    )
+
+
+def kernels() -> tuple[str, ...]:
+    """Names of the CAD kernels."""
+    names: tuple[str, ...] = get_args(Kernel)
+    return names
+
+
+def add_noise_option(parser: argparse.ArgumentParser) -> None:
+    """Add ``--noise``."""
+    parser.add_argument(
+        "--noise",
+        type=non_negative,
+        metavar="SIGMA",
+        help="standard deviation of the vertices, mm; default: estimated from the mesh",
     )
 
 

@@ -13,9 +13,9 @@ from gpswb.cli.guard import guarded
 from gpswb.cli.options import (
     add_cache_option,
     add_density_option,
+    add_noise_option,
     add_pipeline_options,
     add_unit_option,
-    non_negative,
 )
 from gpswb.io.whole import whole_directory
 
@@ -42,12 +42,7 @@ def register(verbs: argparse._SubParsersAction[argparse.ArgumentParser]) -> None
     add_density_option(parser)
     add_pipeline_options(parser)
     add_unit_option(parser)
-    parser.add_argument(
-        "--noise",
-        type=non_negative,
-        metavar="SIGMA",
-        help="standard deviation of the vertices, mm; default: estimated from the mesh",
-    )
+    add_noise_option(parser)
     add_cache_option(parser)
     parser.add_argument("--no-report", action="store_true", help="don't write report.html")
     parser.set_defaults(run=run)
