@@ -101,12 +101,6 @@ def _length(value: float | None) -> str:
 
 
 def _sizes(intrinsic: dict[str, float]) -> str:
-    names = {
-        "radius": "R",
-        "major_radius": "R",
-        "minor_radius": "r",
-        "half_angle_deg": "half angle",
-    }
     return ", ".join(
         f"{short} {intrinsic[name]:.4f} ({intrinsic['nominal_' + name]:.6g})"
         for name, short in SHORT.items()
