@@ -76,6 +76,7 @@ def _feature_lines(annotation: Annotation) -> list[str]:
     }
     rows = [("feature", "class", "size", "side", "derived", "area mm²", "datum", "faces")]
     features = annotation.table.features
+    several = len({feature.body for feature in features}) > 1
     shown = [*annotation.table.integral[:MOST_ROWS], *annotation.table.compounds[:MOST_ROWS]]
     rows += [
         (
@@ -86,7 +87,7 @@ def _feature_lines(annotation: Annotation) -> list[str]:
             feature.derived,
             f"{feature.area:.6g}",
             letters.get(feature.id, ""),
-            _names(feature.faces),
+            _names(feature.faces) + (f"  (solid {feature.body + 1})" if several else ""),
         )
         for feature in shown
     ]

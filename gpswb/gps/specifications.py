@@ -161,6 +161,8 @@ def _judge(
     rule = RULES[name]
     if kind not in rule.families:
         return "not allowed", f"{feature.name}: {rule.otherwise}"
+    if name == "symmetry" and kind == "cylinder" and feature.size is None:
+        return "not allowed", "an arc of at most half a turn has no median line"
     if rule.group == "form":
         each = ", for each of its features by itself" if kind == "group" else ""
         return "allowed", f"form of the feature itself, without a datum{each}"

@@ -8,7 +8,9 @@ from pathlib import Path
 import pytest
 from conftest import Command
 
+from gpswb.io.ap242.part21 import Part21
 from gpswb.io.ap242.strings import encode
+from gpswb.io.ap242.write import read_text
 
 EVIL = "<img src=x onerror=alert(1)> 'q' \\X\\ \"d\" ä⌀&amp;"
 
@@ -60,6 +62,14 @@ def test_all_outputs_of_a_part_with_an_evil_name(
     kept = [line for line in original.splitlines() if "FILE_SCHEMA" not in line]
     assert [line for line in written.splitlines() if line in set(kept)][: len(kept)] == kept
     assert "<img" not in (out / "report.html").read_text("utf-8")
+    coloured = Part21((out / "coloured.step").read_text("utf-8"))  # what OCCT writes
+    names = {str(coloured[n]["ADVANCED_FACE"][0]) for n in coloured.of("ADVANCED_FACE")}
+    assert f"{hole['faces'][0]} cylindrical Hole 1" in names
+    assert len(names) == 7
+    assert len(list(coloured.of("COLOUR_RGB"))) == 2
+    for file in (coloured, read_text(out / "ap242.step")):
+        (product,) = file.of("PRODUCT")
+        assert file[product]["PRODUCT"][1] == EVIL
 
 
 def test_pmi_that_is_in_the_file_is_reviewed(

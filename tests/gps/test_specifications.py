@@ -209,6 +209,7 @@ def test_a_datum_is_judged_under_the_letters_before_it(part):
         ("boss", "B", "symmetry", "use position"),
         ("ball beside", "C", "concentricity", "use position"),
         ("boss", "", "position", "needs a datum"),
+        ("fillet", "A|B|C", "symmetry", "no median line"),
     ],
 )
 def test_refusals_say_why(part, name, datums, characteristic, words):
