@@ -23,8 +23,8 @@ def hole_patterns(
 ) -> list[GpsFeature]:
     """Two or more equal holes (or pins) with parallel axes that lie side by side.
 
-    The arrangement is linear, circle, grid, or free where it is none of these; ``intrinsic`` gives
-    count, diameter and the pitches or the pitch circle (mm).
+    The arrangement is linear, circle (evenly spaced, or about a round feature), grid, or free where
+    it is none of these; ``intrinsic`` gives count, diameter, and pitches or pitch circle (mm).
     """
     round_ = [
         f
@@ -46,15 +46,14 @@ def hole_patterns(
         u, w = perpendiculars(group[0].place.direction)
         basis = np.column_stack([u, w])
         spots = np.array([f.place.point for f in group]) @ basis
-        centre = any(
-            np.linalg.norm(f.place.point @ basis - spots.mean(axis=0)) <= near
-            and np.linalg.norm(np.cross(f.place.direction, group[0].place.direction)) < near
+        others = [
+            f.place.point @ basis
             for f in features
-            if f.place.has_axis and f not in group
-        )
+            if f.place.has_axis and f not in group and _parallel(f, group[0], tolerances)
+        ]
         counts[group[0].material] += 1
         number = counts[group[0].material]
-        spread = _arrangement(spots, near, centre)
+        spread = _arrangement(spots, near, np.reshape(others, (-1, 2)))
         id_ = first_id + len(compounds)
         compounds.append(_compound(group, id_, number, spread, frame, tolerances))
     return compounds
@@ -67,16 +66,22 @@ def _alike(one: GpsFeature, other: GpsFeature, tolerances: Tolerances) -> bool:
         return False
     if abs(one.size.value - other.size.value) > tolerances.size * other.size.value:
         return False
-    cross = np.cross(one.place.direction, other.place.direction)
-    if np.linalg.norm(cross) > np.sin(tolerances.angle):
+    if not _parallel(one, other, tolerances):
         return False
     low, high = axial_interval(one, other)
     start, stop = axial_interval(other, other)
     return low < stop and start < high
 
 
-def _arrangement(spots: FloatArray, near: float, centred: bool) -> tuple[str, dict[str, float]]:
-    """Arrangement of axes at spots (n, 2) mm; ``centred``: a round feature is in their middle.
+def _parallel(one: GpsFeature, other: GpsFeature, tolerances: Tolerances) -> bool:
+    cross = np.cross(one.place.direction, other.place.direction)
+    return bool(np.linalg.norm(cross) <= np.sin(tolerances.angle))
+
+
+def _arrangement(
+    spots: FloatArray, near: float, others: FloatArray
+) -> tuple[str, dict[str, float]]:
+    """Arrangement of axes at spots (n, 2) mm; ``others`` (k, 2) are other round features' axes.
 
     Four in a square are a grid, and a circle too: on a circle if something is at its centre.
     """
@@ -93,7 +98,7 @@ def _arrangement(spots: FloatArray, near: float, centred: bool) -> tuple[str, di
     turns = np.diff(np.sort(np.arctan2(away[:, 1], away[:, 0])))
     circle = np.ptp(radii) <= near and np.abs(turns - 2 * np.pi / n).max() * radii.mean() <= near
     pitch_circle = {"pitch_circle_diameter": float(2 * radii.mean())}
-    if circle and (n != 4 or centred):
+    if circle and (n != 4 or _any_at(others, spots.mean(axis=0), near)):
         return "circle", pitch_circle
     distances = np.linalg.norm(spots[:, None] - spots[None], axis=2)
     np.fill_diagonal(distances, np.inf)
@@ -108,7 +113,24 @@ def _arrangement(spots: FloatArray, near: float, centred: bool) -> tuple[str, di
             "rows": rows[0],
             "row_pitch": rows[1],
         }
+    centre, radius = _fitted_circle(spots)
+    on_it = np.abs(np.linalg.norm(spots - centre, axis=1) - radius).max() <= near
+    if on_it and _any_at(others, centre, near):
+        return "circle", {"pitch_circle_diameter": 2 * radius}
     return "free", {}
+
+
+def _any_at(points: FloatArray, place: FloatArray, near: float) -> bool:
+    return bool((np.linalg.norm(points - place, axis=1) <= near).any())
+
+
+def _fitted_circle(points: FloatArray) -> tuple[FloatArray, float]:
+    """Centre and radius of the circle x² + y² = 2 a x + 2 b y + c by least squares."""
+    middle = points.mean(axis=0)
+    away = points - middle
+    table = np.column_stack([2 * away, np.ones(len(away))])
+    a, b, c = np.linalg.lstsq(table, (away**2).sum(axis=1), rcond=None)[0]
+    return middle + np.array([a, b]), float(np.sqrt(max(a * a + b * b + c, 0.0)))
 
 
 def _levels(values: FloatArray, near: float) -> tuple[int, float] | None:

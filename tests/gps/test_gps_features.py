@@ -295,6 +295,29 @@ def test_four_holes_in_a_square_are_a_circle_only_around_something():
     assert pattern.arrangement == "grid"
 
 
+@pytest.mark.parametrize(("bore", "arrangement"), [(True, "circle"), (False, "free")])
+def test_unevenly_spaced_holes_are_on_a_circle_about_a_bore(bore, arrangement):
+    part = Part()
+    for angle in (0.0, 0.7, 2.0, 3.5, 4.1):
+        part.cylinder((30 * np.cos(angle), 30 * np.sin(angle), 0.0), Z, 3.0, 10.0, hole=True)
+    if bore:
+        part.cylinder((0.0, 0.0, 0.0), Z, 15.0, 10.0, hole=True)
+    (pattern,) = of_kind(table(part)[1], "hole pattern")
+    assert pattern.arrangement == arrangement
+    if bore:
+        assert pattern.intrinsic["pitch_circle_diameter"] == pytest.approx(60.0)
+
+
+def test_a_rectangle_of_holes_about_a_bore_is_a_grid():
+    part = Part()
+    for x in (-20.0, 20.0):
+        for y in (-30.0, 30.0):
+            part.cylinder((x, y, 0.0), Z, 3.0, 10.0, hole=True)
+    part.cylinder((0.0, 0.0, 0.0), Z, 15.0, 10.0, hole=True)
+    (pattern,) = of_kind(table(part)[1], "hole pattern")
+    assert pattern.arrangement == "grid"
+
+
 @pytest.mark.parametrize(
     ("spots", "arrangement", "numbers"),
     [
