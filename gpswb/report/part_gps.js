@@ -103,7 +103,11 @@ function given(doc) {
   ], doc.specified);
   by("specified-card").hidden = !doc.specified.length;
   table(by("review"), [
-    ["datum or tolerance", (row) => row.subject],
+    ["datum or tolerance", (row) => {
+      const words = row.subject.replace(/^\S /, ""); // the symbol is drawn
+      const name = Object.keys(SYMBOLS).find((key) => words.startsWith(key));
+      return name ? withSymbol(name, words) : row.subject;
+    }],
     ["on", (row) => row.features.join(", ")],
     ["class", (row) => (row.class ? swatched(row.class, classColour(row.class)) : "")],
     ["remark", (row) => row.text],
