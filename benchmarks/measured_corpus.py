@@ -14,7 +14,6 @@ from gpswb.cad.solid import Solid
 from gpswb.core.invariance import CLASSES
 from gpswb.core.mesh import Mesh
 from gpswb.io.measured_file import read_measured
-from gpswb.scan.point_regions import largest_region
 
 UNLABELLED = ("fandisk.off", "casting.off", "rocker-arm.off", "propeller.stl", "cycloidal.ply")
 TOWARD = (-0.6, 0.9, -0.6)
@@ -27,17 +26,19 @@ def corpus_section(corpus: Path, images: Path) -> str:
     lines += ["|---|---|---:|---:|---:|---:|---:|"]
     wrong: list[str] = []
     for path in sorted((corpus / "mesh").glob("abc_*.obj")):
+        print(path.name, flush=True)
         solid = read_measured(path, "mm")
         right = abc_labels(path, solid.mesh)
-        found = run(solid.mesh)
+        found = run(solid)
         lines.append(_row(path.name, "area", found, solid, right, solid.mesh.areas, wrong))
     for path in sorted((corpus / "cloud").glob("PC*.txt")):
         if "_" in path.stem:
             continue
+        print(path.name, flush=True)
         solid = read_measured(path, "mm")
         assert solid.pointmap is not None
         right = fit4cad_labels(path, len(solid.pointmap.points))
-        found = run(solid.mesh)
+        found = run(solid)
         ones = np.ones(len(right))
         lines.append(_row(path.name, "points", found, solid, right, ones, wrong))
     lines += ["", "What was taken for what, share of the labelled area or points:", "", *wrong, ""]
@@ -56,11 +57,8 @@ def _row(
         return f"| {name} | {of} | {share:.4f} | not done in time | {vertices:,} | | |"
     label = found.label
     if solid.pointmap is not None:
-        area = np.bincount(found.region[found.region >= 0], solid.mesh.areas[found.region >= 0])
-        region = largest_region(solid.mesh, found.region, area, solid.pointmap.vertex_of_point)
-        first = np.full(len(area) + 1, -1)
-        first[found.region] = found.label
-        label = np.where(region >= 0, first[region], -1)
+        vertex = solid.pointmap.vertex_of_point
+        label = np.where(vertex >= 0, found.vertex_label[vertex], -1)
     good = labelled & (label >= 0) & right[np.arange(len(label)), label]
     score = weight[good].sum() / weight[labelled].sum()
     pairs: dict[tuple[str, str], float] = {}
@@ -90,8 +88,9 @@ def _unlabelled(corpus: Path, images: Path) -> list[str]:
     shown, labels = [], []
     for name in UNLABELLED:
         path = corpus / "mesh" / name
+        print(path.name, flush=True)
         solid = read_measured(path, "mm")
-        found = run(solid.mesh)
+        found = run(solid)
         n = len(solid.mesh.triangles)
         if found is None:
             lines.append(f"| {name} | {n:,} | | | not done in time | | |")

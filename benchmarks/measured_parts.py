@@ -26,14 +26,15 @@ from parts.step_units import write_step
 
 from gpswb.batch.one_part import add_noise
 from gpswb.cad.density import Density
+from gpswb.cad.fcstd_measured import Measurement
 from gpswb.cad.read import read_solid
 from gpswb.cad.solid import Solid
-from gpswb.scan.cloud import mesh_cloud
-from gpswb.scan.point_regions import largest_region
+from gpswb.io.measured_file import solid_of_parts
 
 PART = "revolution_part"
 """The part of figure 18 and of the table; like the paper's Fig. 15 a turned part."""
 
+NO_FACETS = np.zeros((0, 3), dtype=np.int64)
 NOISES = (0.0, 0.0005, 0.001, 0.002, 0.005)
 DENSITIES = (3500, 12500, 35000, 100000)
 TOWARD = (-0.6, 0.9, -0.6)
@@ -52,8 +53,10 @@ def blade_section(images: Path) -> str:
     """Fig. 17: a scan of a blade in six panels, and how it compares with the truth."""
     scanner = Scanner(points=20_000, noise=0.02, gap_radius=3.0)
     scan = simulate(part_solid("blade", "deflection=0.0025"), scanner)
-    cloud = mesh_cloud(scan.points)
-    found = run(cloud.mesh)
+    cloud = solid_of_parts([Measurement(scan.points, NO_FACETS)], "blade", "mm", ())
+    assert cloud.pointmap is not None
+    vertex = cloud.pointmap.vertex_of_point
+    found = run(cloud)
     lines = ["## A scanned blade (the paper's Fig. 17)", "", "Made by `./gps measured blade`.", ""]
     lines += [
         (f"The blade is `examples/parts/blade.py`, the scan `examples/parts/simulated_scan.py`: "
@@ -76,12 +79,9 @@ def blade_section(images: Path) -> str:
     ]
     panels(images / "measured_blade.png", [titles[:3], titles[3:]], occurring(found.label))
     area = np.bincount(found.region[found.region >= 0], mesh.areas[found.region >= 0])
-    region = largest_region(mesh, found.region, area, cloud.vertex_of_point)
-    of_region = np.full(len(area) + 1, -1)
-    of_region[found.region] = found.label
-    label = np.where(region >= 0, of_region[region], -1)
+    label = np.where(vertex >= 0, found.vertex_label[vertex], -1)
     real = scan.label >= 0
-    strays = cloud.vertex_of_point < 0
+    strays = vertex < 0
     right = (label == scan.label)[real].mean()
     large = int((area >= 0.005 * area.sum()).sum())
     lines += [
@@ -115,7 +115,7 @@ def methods_section(images: Path) -> str:
     for name, solid in meshes.items():
         row = []
         for method in METHODS:
-            found = run(solid.mesh, solid.facemap, method)
+            found = run(solid, method)
             lines.append(_figures(name, len(solid.mesh.vertices), method, found and found.facts))
             if found is not None:
                 said = f"{name}\n{method}: {found.facts['area']:.3f} of the area"
@@ -151,7 +151,7 @@ def noise_section(images: Path) -> str:
         n = len(solid.mesh.vertices)
         noisy = [add_noise(solid, f) if f else solid for f in NOISES]
         for method in METHODS:
-            done = [run(s.mesh, s.facemap, method, limit=300.0) for s in noisy]
+            done = [run(s, method, limit=300.0) for s in noisy]
             table[n, method] = [r.facts["area"] if r else None for r in done]
             cells = [
                 f"{r.facts['area']:.3f} ({r.facts['face']:.2f})" if r else "too slow" for r in done

@@ -13,10 +13,14 @@ from typing import Any
 
 import numpy as np
 
-from gpswb.cad.solid import FaceMap
+from gpswb.batch.one_part import partition_solid
+from gpswb.batch.settings import Settings
+from gpswb.cad.density import Density
+from gpswb.cad.solid import Solid
 from gpswb.core.initial import unvoted_types
-from gpswb.core.mesh import Mesh
-from gpswb.core.pipeline import Method, partition
+from gpswb.core.invariance import CLASSES
+from gpswb.core.pipeline import Method
+from gpswb.scan.point_regions import region_of_points
 from gpswb.validation.face_result import facet_classes
 from gpswb.validation.validate import validate
 
@@ -31,6 +35,7 @@ class Run:
         facts: counts, CPU seconds, noise; accuracies where there is a face map.
         region, label, initial, shape, unvoted: (m,) of each facet: region, class, initial region,
             shape type after voting and before; -1 for none.
+        vertex_label: (n,) class of each vertex, of its region.
     """
 
     facts: dict[str, Any]
@@ -39,30 +44,35 @@ class Run:
     initial: np.ndarray
     shape: np.ndarray
     unvoted: np.ndarray
+    vertex_label: np.ndarray
 
 
-def run(
-    mesh: Mesh, facemap: FaceMap | None = None, method: Method = "hybrid", limit: float = 900.0
-) -> Run | None:
-    """Partition a mesh; None if that takes more than ``limit`` seconds of CPU time."""
+def run(solid: Solid, method: Method = "hybrid", limit: float = 900.0) -> Run | None:
+    """Partition a solid; None if that takes more than ``limit`` seconds of CPU time."""
+    mesh = solid.mesh
     with tempfile.TemporaryDirectory() as scratch:
         out = Path(scratch) / "run.npz"
         child = multiprocessing.get_context("fork").Process(
-            target=_work, args=(mesh, facemap, method, limit, out)
+            target=_work, args=(solid, method, limit, out)
         )
         child.start()
         child.join()
         if not out.exists():
+            print(f"  {len(mesh.triangles)} triangles, {method}: not done in time", flush=True)
             return None
         with np.load(out, allow_pickle=False) as kept:
             arrays = {name: kept[name] for name in kept.files if name != "facts"}
-            return Run(facts=json.loads(str(kept["facts"])), **arrays)
+            facts = json.loads(str(kept["facts"]))
+            said = {name: round(value, 4) for name, value in facts.items()}
+            print(f"  {len(mesh.triangles)} triangles, {method}: {said}", flush=True)
+            return Run(facts=facts, **arrays)
 
 
-def _work(mesh: Mesh, facemap: FaceMap | None, method: Method, limit: float, out: Path) -> None:
+def _work(solid: Solid, method: Method, limit: float, out: Path) -> None:
     before = resource.getrusage(resource.RUSAGE_SELF).ru_utime
     resource.setrlimit(resource.RLIMIT_CPU, (int(limit), int(limit) + 5))
-    result = partition(mesh, method=method)
+    mesh = solid.mesh
+    _, result = partition_solid(solid, Settings(Density("auto"), "robust", method, "ocp"))
     facts: dict[str, Any] = {
         "vertices": len(mesh.vertices),
         "triangles": len(mesh.triangles),
@@ -72,11 +82,13 @@ def _work(mesh: Mesh, facemap: FaceMap | None, method: Method, limit: float, out
         "sigma": result.sigma / mesh.diagonal,
         "seconds": resource.getrusage(resource.RUSAGE_SELF).ru_utime - before,
     }
-    if facemap is not None:
-        judged = validate(result, facemap)
+    if solid.facemap is not None:
+        judged = validate(result, solid.facemap)
         facts["area"] = judged.area_accuracy
         facts["face"] = judged.face_accuracy
         facts["f1"] = judged.region_f1
+    classes = [CLASSES.index(region.invariance_class) for region in result.regions]
+    vertex = region_of_points(result, np.arange(len(mesh.vertices)))
     draft = out.with_name("draft.npz")
     np.savez(
         draft,
@@ -86,5 +98,6 @@ def _work(mesh: Mesh, facemap: FaceMap | None, method: Method, limit: float, out
         initial=result.initial_region,
         shape=result.shape_type,
         unvoted=unvoted_types(mesh, result.sigma),
+        vertex_label=np.array([*classes, -1])[vertex],
     )
     draft.rename(out)

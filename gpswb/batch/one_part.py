@@ -18,6 +18,7 @@ from gpswb.core.partition import Partition
 from gpswb.core.pipeline import partition
 from gpswb.errors import InputError
 from gpswb.io.measured_file import SUFFIXES, read_measured
+from gpswb.scan.bridges import without_bridges
 from gpswb.validation.validate import Validation, validate
 
 Progress = Callable[[str, float], None]
@@ -45,6 +46,19 @@ def examine(path: Path, settings: Settings, progress: Progress | None = None) ->
     solid = read_any(path, settings, progress)
     if settings.noise_added > 0:
         solid = add_noise(solid, settings.noise_added)
+    solid, result = partition_solid(solid, settings, progress)
+    judged = validate(result, solid.facemap) if solid.facemap else None
+    return Outcome(solid, result, judged)
+
+
+def partition_solid(
+    solid: Solid, settings: Settings, progress: Progress | None = None
+) -> tuple[Solid, Partition]:
+    """Partition what was read; in a cloud's mesh facets that bridge edges get no regions.
+
+    Returns:
+        The solid, with a note if there were such regions, and the partition.
+    """
     result = partition(
         solid.mesh,
         mode=settings.mode,
@@ -52,8 +66,14 @@ def examine(path: Path, settings: Settings, progress: Progress | None = None) ->
         noise=settings.noise,
         progress=progress,
     )
-    judged = validate(result, solid.facemap) if solid.facemap else None
-    return Outcome(solid, result, judged)
+    if solid.pointmap is not None:
+        bare = len(result.regions)
+        result = without_bridges(result)
+        bare -= len(result.regions)
+        if bare:
+            note = f"{bare} regions that no point belongs to, on edges, went to their neighbours"
+            solid = replace(solid, notes=(*solid.notes, note))
+    return solid, result
 
 
 def read_any(path: Path, settings: Settings, progress: Progress | None = None) -> Solid:

@@ -7,7 +7,7 @@ import argparse
 from dataclasses import replace
 from pathlib import Path
 
-from gpswb.batch.settings import Kernel
+from gpswb.batch.settings import Kernel, Settings
 from gpswb.cad.density import Density
 from gpswb.cli.guard import guarded
 from gpswb.cli.options import add_noise_option, add_unit_option, density, kernels
@@ -73,11 +73,11 @@ def _work(args: argparse.Namespace, draft: Path) -> tuple[list[str], list[str]]:
     """What is printed and the names of the files written in ``draft``."""
     import numpy as np
 
+    from gpswb.batch.one_part import partition_solid
     from gpswb.cad.read import read_solid
     from gpswb.cli.progress import stage_bar
     from gpswb.cli.table import aligned
     from gpswb.core.mesh import Mesh
-    from gpswb.core.pipeline import partition
     from gpswb.io.comparison_file import comparison_document, write_comparison
     from gpswb.io.labels_npz import write_labels
     from gpswb.io.measured_file import read_measured
@@ -101,7 +101,8 @@ def _work(args: argparse.Namespace, draft: Path) -> tuple[list[str], list[str]]:
         if scan.pointmap is not None:
             points = scan.pointmap.points @ transform[:3, :3].T + transform[:3, 3]
             scan = replace(scan, pointmap=replace(scan.pointmap, points=points))
-        result = partition(scan.mesh, noise=args.noise, progress=progress)
+        settings = Settings(args.density, "robust", "hybrid", kernel, noise=args.noise)
+        scan, result = partition_solid(scan, settings, progress)
     comparison = compare(result, nominal)
     document = comparison_document(scan, part, result, alignment, comparison)
     names = write_comparison(draft, document)

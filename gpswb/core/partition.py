@@ -59,6 +59,8 @@ class Partition:
         sharp_edge_regions: connected components of sharp edges.
         sigma: estimated or given standard deviation of the vertices' noise, mm.
         timings: seconds of each stage.
+        vertex_region: (n,) index into ``regions``, -1 for none, where vertices were given a region
+            of their own (the points of a cloud); else None.
     """
 
     mesh: Mesh
@@ -75,3 +77,4 @@ class Partition:
     mode: str
     method: str
     timings: Mapping[str, float] = field(default_factory=dict)
+    vertex_region: IntArray | None = None

@@ -212,17 +212,25 @@ function randomColour(i) {
   return [f(0), f(8), f(4)];
 }
 
+// Views whose facets are labelled by something of another name.
+const LABELS = { class: "region", points: "region" };
+
 function paintViews() {
   if (!views) return;
   const paint = (view, colourOf) => {
-    const cache = new Map(), label = views.mesh[view === "class" ? "region" : view], data = new Uint8Array(views.facets * 3);
+    const cache = new Map(), label = views.mesh[LABELS[view] ?? view], data = new Uint8Array(views.facets * 3);
     label.forEach((value, facet) => {
       if (!cache.has(value)) cache.set(value, colourOf(value));
       data.set(cache.get(value), 3 * facet);
     });
     views.paint(view, data);
   };
-  paint("shape", (type) => report.shape_types[type + 4]?.colour ?? report.none);
+  const ofType = (type) => report.shape_types[type + 4]?.colour ?? report.none;
+  paint("shape", ofType);
+  if (report.measured) {
+    paint("unvoted", ofType);
+    paint("points", () => report.none);
+  }
   paint("initial", (id) => (id < 0 ? report.none : randomColour(id)));
   paint("refined", (id) => (id < 0 ? report.none : randomColour(id)));
   paint("class", (id) => (regionOf.has(id) ? classColour(regionOf.get(id).class) : report.none));
@@ -230,10 +238,10 @@ function paintViews() {
 
 async function start3d() {
   const packed = report.mesh, mesh = { edges: {} };
-  for (const name of ["vertices", "triangles", "region", "initial", "shape", "face"]) mesh[name] = await unpack(packed[name]);
+  for (const name of Object.keys(packed)) if (packed[name].data !== undefined) mesh[name] = await unpack(packed[name]);
   mesh.refined = mesh.region;
   for (const name of Object.keys(packed.edges)) mesh.edges[name] = await unpack(packed.edges[name]);
-  views = new Views(by("gl"), [...document.querySelectorAll(".panel")], mesh, packed.size);
+  views = new Views(by("gl"), panels(), mesh, packed.size);
   views.sharpColour = report.sharp_edge.map((x) => x / 255);
   views.onpick = (id) => { if (id >= 0) choose(id); else if (chosen !== null) choose(chosen); };
   paintViews();
@@ -246,7 +254,14 @@ async function start3d() {
   views.draw();
 }
 
+// What was measured has no CAD faces, and two views more, as the paper's Fig. 17 has.
+function panels() {
+  const all = [...document.querySelectorAll(".panel")];
+  return report.measured ? all : all.filter((panel) => !panel.hidden);
+}
+
 function start() {
+  by("views").classList.toggle("six", report.measured);
   about();
   tiles();
   legends();
@@ -255,10 +270,13 @@ function start() {
   gps();
   const largest = result.regions.reduce((a, b) => (a && a.area >= b.area ? a : b), null);
   if (largest) ranking(largest, " (the largest)");
-  const titles = { initial: result.initial_region_count, refined: result.regions.length };
-  for (const panel of document.querySelectorAll(".panel")) {
+  const titles = { points: result.mesh.vertices, initial: result.initial_region_count, refined: result.regions.length };
+  for (const [i, panel] of panels().entries()) {
     const heading = panel.querySelector("h2"), n = titles[panel.dataset.view];
-    if (n !== undefined) heading.append(` (${n})`);
+    if (report.measured && panel.dataset.view === "shape") heading.append(" after voting");
+    panel.hidden = false;
+    heading.prepend(`${"abcdef"[i]}) `);
+    if (n !== undefined) heading.append(` (${n.toLocaleString("en")})`);
     panel.setAttribute("aria-label", `3-D view: ${heading.textContent}`);
   }
   by("clear").onclick = () => { chosen = null; choose(null); };

@@ -12,6 +12,7 @@ import numpy as np
 
 import gpswb
 from gpswb.cad.solid import FaceMap
+from gpswb.core.initial import unvoted_types
 from gpswb.core.invariance import CLASSES
 from gpswb.core.mesh import IntArray, Mesh
 from gpswb.core.partition import Partition
@@ -70,6 +71,7 @@ def report_page(
             {"name": name, "colour": colour, "share": float(share / (area.sum() or 1.0))}
             for (name, colour), share in zip(SHAPE_TYPES, by_type, strict=True)
         ],
+        "measured": facemap is None,
         "mesh": _mesh(partition, facemap),
     }
     page = _asset("part_page.html")
@@ -99,7 +101,9 @@ def _mesh(partition: Partition, facemap: FaceMap | None) -> dict[str, Any]:
     grid = np.rint((mesh.vertices - low) / np.where(span > 0, span, 1.0) * GRID)
     ids = np.array([region.id for region in partition.regions] + [-1], dtype=np.int64)
     face = facemap.face_of_triangle if facemap else np.full(len(mesh.triangles), -1)
+    measured = {} if facemap else {"unvoted": pack(unvoted_types(mesh, partition.sigma))}
     return {
+        **measured,
         "size": list(span / (mesh.diagonal or 1.0)),
         "vertices": pack(grid.T),
         "triangles": pack(mesh.triangles),

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
-// Four views of one mesh that turn together: WebGL 2, one canvas, one scissored viewport a panel.
+// Views of one mesh that turn together: WebGL 2, one canvas, one scissored viewport a panel.
 "use strict";
 
 // Integers come as differences, byte planes, deflate, base64 (gpswb/report/pack.py).
@@ -26,6 +26,7 @@ void main() {
   at = turn * ((position - 0.5) * size);
   tint = colour; pick = chosen; id = name;
   gl_Position = vec4(at.xy * scale + pan, -at.z - lift, 1.0);
+  gl_PointSize = 1.5;
 }`;
 
 const PAINT = `#version 300 es
@@ -198,15 +199,16 @@ class Views {
       gl.uniform3fv(this.at("ground"), ground);
       gl.uniform1f(this.at("dim"), this.selected ? 0.86 : 0);
       gl.uniform1f(this.at("lift"), 0);
-      gl.uniform1i(this.at("mode"), 0);
+      gl.uniform1i(this.at("mode"), view === "points" ? 1 : 0);
+      gl.uniform3fv(this.at("line"), edge);
       this.bindColour(view);
-      gl.drawArrays(gl.TRIANGLES, 0, this.facets * 3);
-      if (!this.showEdges) continue;
+      gl.drawArrays(view === "points" ? gl.POINTS : gl.TRIANGLES, 0, this.facets * 3);
+      if (!this.showEdges || view === "points") continue;
       gl.uniform1i(this.at("mode"), 1);
       gl.uniform1f(this.at("lift"), 0.0012);
-      const border = view === "shape" || view === "initial" ? "initial" : "region";
+      const border = ["unvoted", "shape", "initial"].includes(view) ? "initial" : "region";
       this.strokes(border, edge);
-      if (view === "shape" || view === "class") this.strokes("sharp", this.sharpColour);
+      if (["unvoted", "shape", "class"].includes(view)) this.strokes("sharp", this.sharpColour);
     }
   }
 

@@ -4,10 +4,13 @@
 import numpy as np
 import pytest
 from clouds import on_box, on_sphere
+from made_parts import partition_of
 
 from gpswb.core.mesh import Mesh
 from gpswb.errors import InputError
+from gpswb.scan.bridges import without_bridges
 from gpswb.scan.cloud import mesh_cloud
+from gpswb.scan.point_regions import region_of_points
 from gpswb.scan.thinning import thin
 
 
@@ -118,3 +121,35 @@ def test_the_mesh_does_not_depend_on_the_order_of_the_points() -> None:
 def test_bad_clouds_give_one_line(points: np.ndarray, text: str) -> None:
     with pytest.raises(InputError, match=text):
         mesh_cloud(points)
+
+
+def test_facets_that_bridge_edges_get_no_region_and_points_keep_theirs() -> None:
+    mesh = mesh_cloud(on_box(1500)).mesh
+    # Facets on a side of the box are its region; each of the others has one of its own.
+    low, high = np.zeros(3), np.array([30, 20, 10])
+    corner = mesh.corners
+    side = np.full(len(corner), -1)
+    for axis in range(3):
+        for number, level in enumerate((low, high)):
+            on = (np.abs(corner[:, :, axis] - level[axis]) < 1e-12).all(axis=1)
+            side[on] = 2 * axis + number
+    loose = np.flatnonzero(side < 0)
+    assert len(loose) > 100
+    region = side.copy()
+    region[loose] = 6 + np.arange(len(loose))
+    classes = ["planar"] * 6 + ["complex"] * len(loose)
+    before = partition_of(mesh, region, classes)
+    after = without_bridges(before)
+    points = np.arange(len(mesh.vertices))
+    # At a corner of the box a point may have no other facets than bridges.
+    sure = np.isin(points, mesh.triangles[side >= 0])
+    assert (~sure).sum() < 10
+    assert 6 <= len(after.regions) <= 6 + (~sure).sum()
+    assert sum(r.triangles for r in after.regions) == len(mesh.triangles)
+    found = region_of_points(after, points)
+    # Every other point is on the side of its region, those beside an edge included.
+    on = found[sure]
+    assert (on < 6).all()
+    level = np.array([low, high])[on % 2, on // 2]
+    assert mesh.vertices[points[sure], on // 2] == pytest.approx(level)
+    assert (on == region_of_points(before, points)[sure]).all()
