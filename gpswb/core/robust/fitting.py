@@ -6,10 +6,14 @@ from __future__ import annotations
 import numpy as np
 
 from gpswb.core.mesh import FloatArray
-from gpswb.core.robust.surfaces import Kind, distance_jacobian
+from gpswb.core.robust.surfaces import Kind, distance, distance_jacobian
+from gpswb.core.robust.torus_chart import TorusChart
 
 ITERATIONS = 30
 """Levenberg-Marquardt steps at most; exact data converge quadratically in fewer than ten."""
+
+AXIS_ANGLES = np.radians([-75.0, -60.0, -45.0, -30.0, -15.0, 0.0, 15.0, 30.0, 45.0, 60.0, 75.0])
+"""Angles between a torus's axis and the plane of its patch that are compared as first guesses."""
 
 
 def fit_patches(
@@ -59,8 +63,8 @@ def _torus_starts(
 ) -> list[FloatArray]:
     """Tori that agree with each patch's curvatures, and one from its slippage.
 
-    Second order fixes the tube's radius and leaves one angle of the axis free: three are tried, for
-    either principal direction as the meridian.
+    Second order fixes the tube's radius and leaves one angle of the axis free: the angle whose torus
+    is nearest to the patch is taken, for either principal direction as the meridian.
     """
     axis, through = _rotation_axis(centres, normals)
     starts = [_torus_about(axis, through, points, weights)]
@@ -74,29 +78,35 @@ def _torus_starts(
     x = points - mean[:, None]
     p, q, h = (np.einsum("bnk,bk->bn", x, e) for e in (e1, e2, n))
     rows = np.stack([p * p / 2, p * q, q * q / 2, p, q, np.ones_like(p)], axis=2)
-    a = np.einsum("bni,bn,bnj->bij", rows, weights, rows)
+    weighted = np.swapaxes(rows * weights[..., None], 1, 2)
+    a = weighted @ rows
     a[:, range(6), range(6)] += 1e-10 * np.trace(a, axis1=1, axis2=2)[:, None]
-    c = np.linalg.solve(a, np.einsum("bni,bn,bn->bi", rows, weights, h)[..., None])[..., 0]
+    c = np.linalg.solve(a, weighted @ h[..., None])[..., 0]
     value, vector = np.linalg.eigh(np.stack([c[:, [0, 1]], c[:, [1, 2]]], axis=1))
+    value = np.where(np.abs(value) < 1e-3, np.where(value < 0, -1e-3, 1e-3), value)
+    # The mean lies inside the bend: what agrees to second order is the patch below it.
+    foot = mean + c[:, 5, None] * n
+    n = n - c[:, 3, None] * e1 - c[:, 4, None] * e2
+    n /= np.linalg.norm(n, axis=1)[:, None]
+    number = np.arange(len(points))
     for which in (0, 1):
         along = vector[:, 0, which, None] * e1 + vector[:, 1, which, None] * e2
-        kappa = value[:, which]
-        kappa = np.where(np.abs(kappa) < 1e-3, np.where(kappa < 0, -1e-3, 1e-3), kappa)
-        other = value[:, 1 - which]
-        other = np.where(np.abs(other) < 1e-3, np.where(other < 0, -1e-3, 1e-3), other)
-        tube_centre = mean + n / kappa[:, None]
-        for angle in (-0.9, 0.0, 0.9):
+        tube_centre = foot + n / value[:, which, None]
+        # The axis passes the normal line at the centre of the parallel's normal curvature.
+        offset = n * (1.0 / value[:, 1 - which] - 1.0 / value[:, which])[:, None]
+        tried = np.zeros((len(AXIS_ANGLES), len(points), 8))
+        error = np.zeros(tried.shape[:2])
+        for i, angle in enumerate(AXIS_ANGLES):
             u = np.cos(angle) * along + np.sin(angle) * n
-            # The axis passes the normal line at the centre of the parallel's normal curvature.
-            foot = mean + n / other[:, None]
-            offset = foot - tube_centre
             radial = offset - np.einsum("bk,bk->b", offset, u)[:, None] * u
-            surface = np.zeros((len(points), 8))
-            surface[:, :3] = tube_centre + radial
-            surface[:, 3:6] = u
-            surface[:, 6] = np.linalg.norm(radial, axis=1)
-            surface[:, 7] = 1.0 / np.abs(kappa)
-            starts.append(surface)
+            tried[i, :, :3] = tube_centre + radial
+            tried[i, :, 3:6] = u
+            tried[i, :, 6] = np.linalg.norm(radial, axis=1)
+            tried[i, :, 7] = 1.0 / np.abs(value[:, which])
+            d, _ = distance("torus", tried[i], points)
+            error[i] = np.sum(weights * np.abs(d), axis=1)
+        best = np.argmin(np.nan_to_num(error, nan=np.inf), axis=0)
+        starts.append(tried[best, number])
     return starts
 
 
@@ -178,6 +188,7 @@ def fit(
     damping = np.full(b, 1e-3)
     scale = np.full(b, np.inf)
     d, jac = distance_jacobian(kind, surface, points)
+    middle = (weights[:, None] @ points)[:, 0] / np.maximum(weights.sum(axis=1), 1e-12)[:, None]
     live = np.arange(b)
     for step in range(iterations):
         if robust_floor is not None and step >= 3:
@@ -185,14 +196,21 @@ def fit(
             scale[live] = np.maximum(np.minimum(2.0 * median, scale[live] * 0.7), robust_floor)
         w = weights[live] * _influence(d, scale[live])
         cost = _cost(d, weights[live], scale[live])
-        h = np.einsum("bni,bn,bnj->bij", jac, w, jac)
-        g = np.einsum("bni,bn,bn->bi", jac, w, d)
+        chart = TorusChart.at(surface[live], middle[live]) if kind == "torus" else None
+        slope = jac if chart is None else jac @ chart.derivative()
+        weighted = np.swapaxes(slope * w[..., None], 1, 2)
+        h = weighted @ slope
+        g = (weighted @ d[..., None])[..., 0]
         # The gauge freedoms (a point may slide along its axis) make h singular: damping fixes them.
         size = np.maximum(np.trace(h, axis1=1, axis2=2), 1e-30)
-        h[:, range(8), range(8)] += damping[live, None] * size[:, None] / 8 + 1e-14 * size[:, None]
+        each = range(h.shape[1])
+        h[:, each, each] += damping[live, None] * size[:, None] / 8 + 1e-14 * size[:, None]
         move = -np.linalg.solve(h, g[..., None])[..., 0]
-        trial = surface[live] + move
-        trial[:, 3:6] /= np.maximum(np.linalg.norm(trial[:, 3:6], axis=1), 1e-12)[:, None]
+        if chart is None:
+            trial = surface[live] + move
+            trial[:, 3:6] /= np.maximum(np.linalg.norm(trial[:, 3:6], axis=1), 1e-12)[:, None]
+        else:
+            trial = chart.moved(move).surface
         d_new, jac_new = distance_jacobian(kind, trial, points[live])
         better = _cost(d_new, weights[live], scale[live]) <= cost
         better &= np.isfinite(trial).all(axis=1)
@@ -220,9 +238,12 @@ def _cost(d: FloatArray, weights: FloatArray, scale: FloatArray) -> FloatArray:
 
 
 def _weighted_median(x: FloatArray, weights: FloatArray) -> FloatArray:
-    """Median of the entries of each row whose weight isn't zero."""
-    median: FloatArray = np.nanmedian(np.where(weights > 0, x, np.nan), axis=1)
-    return np.nan_to_num(median)
+    """Median of the entries of each row whose weight isn't zero; 0 for a row without any."""
+    present = weights > 0
+    ordered = np.sort(np.where(present, x, np.inf), axis=1)
+    middle = np.maximum(present.sum(axis=1) - 1, 0) // 2
+    median: FloatArray = ordered[np.arange(len(x)), middle]
+    return np.where(np.isfinite(median), median, 0.0)
 
 
 def _algebraic_sphere(
@@ -232,9 +253,10 @@ def _algebraic_sphere(
     x = points - mean[:, None]
     rows = np.concatenate([2.0 * x, np.ones((*x.shape[:2], 1))], axis=2)
     q = np.einsum("bnk,bnk->bn", x, x)
-    h = np.einsum("bni,bn,bnj->bij", rows, weights, rows)
+    weighted = np.swapaxes(rows * weights[..., None], 1, 2)
+    h = weighted @ rows
     h[:, range(4), range(4)] += 1e-12 * np.trace(h, axis1=1, axis2=2)[:, None]
-    s = np.linalg.solve(h, np.einsum("bni,bn,bn->bi", rows, weights, q)[..., None])[..., 0]
+    s = np.linalg.solve(h, weighted @ q[..., None])[..., 0]
     radius = np.sqrt(np.maximum(s[:, 3] + np.einsum("bk,bk->b", s[:, :3], s[:, :3]), 1e-12))
     return s[:, :3] + mean, radius
 
