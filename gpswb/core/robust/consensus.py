@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Cylinders, cones, spheres and tori on which connected facets agree to within a tolerance.
 
-Nominal vertices lie on their surface to rounding. A surface fitted to a small patch that lies in
-one face is therefore exact, and grows to the whole face; a patch across a border fits nothing. So
-many patches are fitted at once, the hypotheses that explain their patch are grown in order of
-evidence, and what isn't explained is tried again with other patches.
+Nominal vertices lie on their surface to rounding. A surface fitted to a part of the mesh that lies
+in one face is therefore exact, and grows to the whole face; a part across a border fits nothing. So
+all parts are fitted at once, the initial regions first; the surfaces that explain their part are
+grown in order of evidence, and parts that aren't explained are halved and tried again.
 """
 
 from __future__ import annotations
@@ -14,10 +14,11 @@ from dataclasses import dataclass
 import numpy as np
 
 from gpswb.core.mesh import BoolArray, FloatArray, IntArray, Mesh
-from gpswb.core.robust.evidence import drifts, enough_evidence, is_exact, sagitta
+from gpswb.core.robust.evidence import BEND, drifts, enough_evidence, is_exact, sagitta
 from gpswb.core.robust.fitting import fit_patches
 from gpswb.core.robust.growth import Grown, fit_facets, flood, grow, to_world
-from gpswb.core.robust.patches import Patches, patches_around
+from gpswb.core.robust.parts import connected_parts, halves, spread_over
+from gpswb.core.robust.patches import Patches, patches_around, patches_of
 from gpswb.core.robust.surfaces import UNKNOWNS, Kind, distance
 from gpswb.core.robust.topology import FacetGraph
 
@@ -31,36 +32,52 @@ SIMPLER = 3e-4
 """Share of a region's height that a simpler surface may leave: less than any modelled draft."""
 
 BATCH = 128
-"""Patches fitted together: enough to spread numpy's overhead, few enough for the cache."""
+"""Parts fitted together: enough to spread numpy's overhead, few enough for the cache."""
 
+SAMPLE = 48
+"""Facets of a part that are fitted: seven unknowns need far fewer, borders make themselves felt."""
 
-PASSES: tuple[tuple[int, int | None], ...] = ((3, None), (1, None), (0, 64))
-"""Spacing of the seeds in each pass, in facets, and the largest group of unexplained facets that
-the pass looks at: only small groups deserve a try from every facet."""
+LEAST = 4
+"""Facets that can prove a surface, at least."""
 
-MOST = 400
-"""Seeds tried at once; more follow as long as they find something."""
+LEAST_BEND = 4.0
+"""Tolerances that a part's vertices must leave their mean plane by: a flatter one proves nothing,
+and its halves are flatter still."""
 
-FURTHER = 1.5
-"""How many times the facets a less simple surface must explain."""
+MOST = 512
+"""Parts of one level that are fitted, larger first, unless some of them are explained: what has
+fallen into more pieces than that is mostly freeform."""
 
-SHARE = 16
-"""Seeds that an initial region gets in a pass: a face that needs more has been broken up by others,
-and the pieces get their own in the next pass."""
+ROUNDS = 3
+"""Descents from what is left, each with new parts: pieces cut by one are whole in the next."""
+
+SMALL = 64
+"""Facets of a group that hangs together by itself in which every facet deserves a try of its own
+neighbourhood."""
+
+RINGS: tuple[int, ...] = (2, 4)
+"""Sizes of those neighbourhoods, in steps from facet to facet."""
+
+ROBUST_SHARE = 0.3
+"""Share of a part that a robust fit must explain: below it hypotheses are found by chance."""
+
+ROBUST_LEAST = 16
+"""Vertices of a part in which a robust fit may choose; smaller parts are halved instead."""
 
 FREEFORM = 0.03
-"""A patch whose best torus leaves less than this share of the patch's own height, but more than
-the tolerance, is smooth and no simple surface: further patches there would fail too."""
+"""A part whose best torus leaves less than this share of the part's own height, but more than the
+tolerance, looks like a piece of a freeform surface. Two tangent surfaces of nearly equal curvature
+look so, too, but not the halves of their part: two levels in a row must."""
 
 
 @dataclass(frozen=True)
 class Hypothesis:
-    """A surface that explains a patch: ``score`` counts its vertices beyond the unknowns."""
+    """A surface that explains a part: ``seed`` lies on it, ``score`` is the number of facets."""
 
     kind: Kind
     surface: FloatArray
     seed: int
-    score: int
+    score: float
 
 
 def find_surfaces(
@@ -70,7 +87,6 @@ def find_surfaces(
     initial: IntArray,
     tolerance: float,
     smooth: FloatArray,
-    rings: tuple[int, ...] = (2, 4, 8),
 ) -> list[Grown]:
     """Surfaces that connected facets lie on, largest evidence first.
 
@@ -78,60 +94,118 @@ def find_surfaces(
         mesh: the mesh.
         graph: its adjacency.
         free: (m,) facets that may be explained.
-        initial: (m,) initial regions (paper, 5.2): each gets its share of the seeds.
+        initial: (m,) initial regions (paper, 5.2): the first parts.
         tolerance: distance that counts as none, mm.
         smooth: (m,) mm, residual of the best torus where facets were seen to be freeform, 0 where
             they were not; what is seen here is added for calls with wider tolerances.
-        rings: sizes of the patches tried, in steps from facet to facet, rising; only the largest
-            tells a simple surface from a freeform one.
     """
     free = free.copy()
     found: list[Grown] = []
-    for spacing, largest in PASSES:
-        while True:
-            passable = _passable(graph, free)
-            wanted = free & (smooth <= tolerance) & passable.any(axis=1)
-            if largest is not None:
-                wanted &= _component_size(graph, free) <= largest
-            seeds = _fair(_seeds(mesh, graph, wanted, spacing), initial)
-            more = len(seeds) > MOST
-            if more:
-                seeds = seeds[np.linspace(0, len(seeds) - 1, MOST).astype(np.int64)]
-            known = len(found)
-            for start in range(0, len(seeds), BATCH):
-                batch = seeds[start : start + BATCH]
-                found += _found_from(mesh, graph, batch, free, tolerance, smooth, rings)
-            if not more or len(found) == known:
-                break
-    return found
+    group = initial
+    for _ in range(ROUNDS):
+        new = _descend(mesh, graph, group, free, tolerance, smooth)
+        found += new
+        if not new:
+            break
+        group = np.zeros(len(free), dtype=np.int64)
+    return found + _around_seeds(mesh, graph, free, tolerance, smooth)
 
 
-def _found_from(
+def _descend(
     mesh: Mesh,
     graph: FacetGraph,
-    batch: IntArray,
+    group: IntArray,
     free: BoolArray,
     tolerance: float,
     smooth: FloatArray,
-    rings: tuple[int, ...],
 ) -> list[Grown]:
-    """Surfaces found from one batch of seeds; their facets are no longer free afterwards."""
+    """Surfaces of parts, of their halves, and so on; their facets are no longer free afterwards."""
     found: list[Grown] = []
-    passable = _passable(graph, free)
-    for size in rings:
-        batch = batch[free[batch] & (smooth[batch] <= tolerance)]
-        if not len(batch):
-            break
-        patches = patches_around(mesh, graph, batch, passable, size)
-        hypotheses = explain(mesh, patches, tolerance, smooth if size == rings[-1] else None)
-        hypotheses.sort(key=lambda h: -h.score)
-        for h in hypotheses:
-            if not free[h.seed] or smooth[h.seed] > tolerance:
+    doubt = np.zeros(len(free))
+    flat = np.abs(graph.pair_dihedral) < CREASE
+    while True:
+        open_ = free & (smooth <= tolerance)
+        part = connected_parts(graph, np.where(open_, group, -1), flat)
+        facets, size = spread_over(part, SAMPLE)
+        order = np.argsort(-size, kind="stable")
+        order = order[size[order] >= LEAST]
+        if not len(order):
+            return found
+        tried = np.zeros(len(size), dtype=bool)
+        for start in range(0, len(order), BATCH):
+            batch = order[start : start + BATCH]
+            known = len(found)
+            patches = patches_of(mesh, facets[batch])
+            bent = np.flatnonzero(_sagitta(patches) * patches.scale > LEAST_BEND * tolerance)
+            batch, patches = batch[bent], patches.take(bent)
+            tried[batch] = True
+            hypotheses, freeform = explain(mesh, patches, size[batch], tolerance)
+            hypotheses.sort(key=lambda h: -h.score)
+            found += _grow_all(mesh, graph, hypotheses, free, tolerance)
+            _note_freeform(part, batch, freeform, doubt, smooth)
+            if start >= MOST and len(found) == known:
+                break
+        worth = np.append(tried & (size > LEAST), False)
+        group = halves(mesh, np.where(free & worth[part], part, -1))
+
+
+def _note_freeform(
+    part: IntArray, batch: IntArray, freeform: FloatArray, doubt: FloatArray, smooth: FloatArray
+) -> None:
+    """Note that parts look freeform.
+
+    Args:
+        part: (m,) part of each facet, -1 for none.
+        batch: (b,) parts; ``freeform`` (b,) mm, what their tori leave, 0 where they don't look so.
+        doubt: (m,) mm, what the torus of the whole left that each part is a half of; brought up to
+            date. Where that looked freeform, too, it is noted in ``smooth`` (m,).
+    """
+    residual = np.full(int(part.max()) + 2, np.nan)
+    residual[batch] = freeform
+    seen = residual[part]  # the last entry is that of facets in no part
+    again = (seen > 0.0) & (doubt > 0.0)
+    smooth[again] = doubt[again]
+    told = np.isfinite(seen)
+    doubt[told] = seen[told]
+
+
+def _grow_all(
+    mesh: Mesh, graph: FacetGraph, hypotheses: list[Hypothesis], free: BoolArray, tolerance: float
+) -> list[Grown]:
+    """The regions of hypotheses that prove their surface; they are no longer free afterwards."""
+    found: list[Grown] = []
+    for h in hypotheses:
+        if not free[h.seed]:
+            continue
+        grown = _proved(mesh, graph, h, free, tolerance)
+        if grown is not None:
+            found.append(grown)
+            free[grown.facets] = False
+    return found
+
+
+def _around_seeds(
+    mesh: Mesh, graph: FacetGraph, free: BoolArray, tolerance: float, smooth: FloatArray
+) -> list[Grown]:
+    """Surfaces from the neighbourhood of every facet that is left in small groups."""
+    found: list[Grown] = []
+    group = connected_parts(graph, np.where(free, 0, -1), np.ones(len(graph.pairs), dtype=bool))
+    few = np.append(np.bincount(group[group >= 0]) <= SMALL, False)[group]
+    for rings in RINGS:
+        seeds = np.flatnonzero(free & few & (smooth <= tolerance))
+        seeds = seeds[np.argsort(-mesh.areas[seeds], kind="stable")][:MOST]
+        for start in range(0, len(seeds), BATCH):
+            batch = seeds[start : start + BATCH]
+            batch = batch[free[batch]]
+            passable = _passable(graph, free)
+            batch = batch[passable[batch].any(axis=1)]
+            if not len(batch):
                 continue
-            grown = _proved(mesh, graph, h, free, tolerance)
-            if grown is not None:
-                found.append(grown)
-                free[grown.facets] = False
+            patches = patches_around(mesh, graph, batch, passable, rings)
+            count = (patches.facets >= 0).sum(axis=1)
+            hypotheses, _ = explain(mesh, patches, count, tolerance)
+            hypotheses.sort(key=lambda h: -h.score)
+            found += _grow_all(mesh, graph, hypotheses, free, tolerance)
     return found
 
 
@@ -140,15 +214,15 @@ def _proved(
 ) -> Grown | None:
     """The region that a hypothesis grows to, None where it doesn't prove its surface."""
     touched = flood(mesh, graph, h.kind, h.surface, np.array([h.seed]), free, tolerance)
-    if len(touched) < 4:
+    if len(touched) < LEAST:
         return None
     rough = Grown(h.kind, h.surface, touched)
-    sure = is_exact(mesh, rough)
-    if not sure and drifts(mesh, graph, rough, tolerance):
+    if is_exact(mesh, rough):
+        grown = grow(mesh, graph, h.kind, h.surface, np.array([h.seed]), free, tolerance)
+    elif sagitta(mesh, rough) < BEND * tolerance or drifts(mesh, graph, rough, tolerance):
         return None
-    grown = simplest(mesh, graph, h, free, tolerance)
-    if not sure:
-        grown = _upgraded(mesh, graph, grown, free, tolerance)
+    else:
+        grown = simplest(mesh, graph, h, free, tolerance)
     return grown if enough_evidence(mesh, graph, grown, tolerance) else None
 
 
@@ -175,25 +249,9 @@ def simplest(
     return grown
 
 
-def _upgraded(
-    mesh: Mesh, graph: FacetGraph, grown: Grown, free: BoolArray, tolerance: float
-) -> Grown:
-    """A less simple surface through a region, where it reaches much further.
-
-    To within a tolerance a short piece of a torus lies on a cylinder, but only the torus goes on.
-    """
-    for kind in KINDS[KINDS.index(grown.kind) + 1 :]:
-        if len(grown.facets):
-            surface = fit_facets(mesh, kind, grown.facets)
-            other = grow(mesh, graph, kind, surface, grown.facets, free, tolerance)
-            if len(other.facets) > FURTHER * len(grown.facets):
-                grown = other
-    return grown
-
-
 def explain(
-    mesh: Mesh, patches: Patches, tolerance: float, smooth: FloatArray | None = None
-) -> list[Hypothesis]:
+    mesh: Mesh, patches: Patches, size: IntArray, tolerance: float
+) -> tuple[list[Hypothesis], FloatArray]:
     """The simplest surface that explains each patch, where one does.
 
     Plain least squares first; where a patch crosses a border, a robust fit may still find the
@@ -201,42 +259,58 @@ def explain(
 
     Args:
         mesh: the mesh.
-        patches: the patches.
+        patches: b patches.
+        size: (b,) facets of the part that each patch is a sample of.
         tolerance: distance that counts as none, mm.
-        smooth: for large patches: where a torus fits well but not exactly, the patch is freeform,
-            and its residual is noted here; no robust fits then.
+
+    Returns:
+        The hypotheses, and (b,) mm: what the best torus leaves of the patches that look freeform,
+        0 for the others.
     """
     hypotheses: list[Hypothesis] = []
-    for robust in (False, True) if smooth is None else (False,):
+    freeform = np.zeros(len(patches.centre))
+    left = np.arange(len(patches.centre))
+    for robust in (False, True):
         # A torus has too many unknowns to choose its points as well.
         for kind in KINDS[:-1] if robust else KINDS:
-            if not len(patches.seed):
-                return hypotheses
-            floor = float(np.median(tolerance / patches.scale)) if robust else None
+            if not len(left):
+                return hypotheses, freeform
+            some = patches.take(left)
+            floor = float(np.median(tolerance / some.scale)) if robust else None
             local = fit_patches(
-                kind, patches.points, patches.weights, patches.centroids, patches.normals, floor
+                kind, some.points, some.weights, some.centroids, some.normals, floor
             )
-            world = to_world(local, patches.centre, patches.scale, kind)
-            d, _ = distance(kind, local, patches.points)
-            d = np.where(patches.weights > 0, np.abs(d), 0.0)
-            inside = (d <= (tolerance / patches.scale)[:, None]) & (patches.weights > 0)
-            score = inside.sum(axis=1) - UNKNOWNS[kind]
-            on_seed, _ = distance(kind, world, mesh.corners[patches.seed])
+            world = to_world(local, some.centre, some.scale, kind)
+            d, _ = distance(kind, local, some.points)
+            d = np.where(some.weights > 0, np.abs(d), 0.0)
+            inside = (d <= (tolerance / some.scale)[:, None]) & (some.weights > 0)
+            share = inside.sum(axis=1) / np.maximum(some.weights.sum(axis=1), 1.0)
             # A robust fit chooses its own points: it needs more of them to prove something.
-            good = (score >= (3 if robust else 1)) & _is_finite(kind, local)
-            good &= (np.abs(on_seed) <= tolerance).all(axis=1)
-            hypotheses.extend(
-                Hypothesis(kind, world[row], int(patches.seed[row]), int(score[row]))
-                for row in np.flatnonzero(good)
-            )
-            if kind == "torus" and smooth is not None:
+            good = inside.sum(axis=1) - UNKNOWNS[kind] >= (3 if robust else 1)
+            good &= (share >= (ROBUST_SHARE if robust else 1.0)) & _is_finite(kind, local)
+            for row in np.flatnonzero(good):
+                seed = _seed(mesh, kind, world[row], some.facets[row], tolerance)
+                if seed is not None:
+                    score = float(share[row] * size[left[row]])
+                    hypotheses.append(Hypothesis(kind, world[row], seed, score))
+            if kind == "torus":
                 worst = d.max(axis=1)
-                freeform = ~good & (worst < FREEFORM * _sagitta(patches))
-                for row in np.flatnonzero(freeform):
-                    facets = patches.facets[row]
-                    smooth[facets[facets >= 0]] = worst[row] * patches.scale[row]
-            patches = patches.take(np.flatnonzero(~good))
-    return hypotheses
+                looks = ~good & (worst < FREEFORM * _sagitta(some))
+                freeform[left[looks]] = (worst * some.scale)[looks]
+                good = good | looks
+            left = left[~good]
+        left = left[patches.weights[left].sum(axis=1) >= ROBUST_LEAST]
+    return hypotheses, freeform
+
+
+def _seed(
+    mesh: Mesh, kind: Kind, surface: FloatArray, facets: IntArray, tolerance: float
+) -> int | None:
+    """The largest of some facets (-1 for none) that has its corners on a surface."""
+    facets = facets[facets >= 0]
+    d, _ = distance(kind, surface[None], mesh.corners[facets].reshape(1, -1, 3))
+    on = facets[(np.abs(d).reshape(-1, 3) <= tolerance).all(axis=1)]
+    return int(on[np.argmax(mesh.areas[on])]) if len(on) else None
 
 
 def _sagitta(patches: Patches) -> FloatArray:
@@ -261,44 +335,3 @@ def _passable(graph: FacetGraph, free: BoolArray) -> BoolArray:
         (neighbour >= 0) & free[np.maximum(neighbour, 0)] & (np.abs(graph.dihedral) < CREASE)
     )
     return passable
-
-
-def _component_size(graph: FacetGraph, free: BoolArray) -> IntArray:
-    """(m,) number of free facets that hang together with each."""
-    joined = np.logical_and(free[graph.pairs[:, 0]], free[graph.pairs[:, 1]])
-    label = graph.components(joined, len(free))
-    size: IntArray = np.bincount(label)[label]
-    return size
-
-
-def _seeds(mesh: Mesh, graph: FacetGraph, candidates: BoolArray, spacing: int) -> IntArray:
-    """Facets spread over the candidates: large ones first, none within ``spacing`` steps."""
-    index = np.flatnonzero(candidates)
-    order = index[np.argsort(-mesh.areas[index], kind="stable")]
-    covered = np.zeros(len(candidates), dtype=bool)
-    seeds = []
-    for facet in order:
-        if covered[facet]:
-            continue
-        seeds.append(facet)
-        front = np.array([facet])
-        for _ in range(spacing):
-            front = graph.neighbour[front].ravel()
-            front = front[front >= 0]
-            covered[front] = True
-    return np.array(seeds, dtype=np.int64)
-
-
-def _fair(seeds: IntArray, initial: IntArray) -> IntArray:
-    """At most ``SHARE`` seeds of each initial region, spread over its own in their order."""
-    if not len(seeds):
-        return seeds
-    group = initial[seeds]
-    order = np.argsort(group, kind="stable")
-    counts = np.unique(group[order], return_counts=True)[1]
-    rank = np.arange(len(seeds)) - np.repeat(np.cumsum(counts) - counts, counts)
-    stride = np.repeat(-(-counts // SHARE), counts)
-    chosen = np.zeros(len(seeds), dtype=bool)
-    chosen[order] = rank % stride == 0
-    fair: IntArray = seeds[chosen]
-    return fair

@@ -23,6 +23,9 @@ PROFILE = 5
 """Different places on the tube that prove a torus: any three rings of vertices lie on one torus,
 and four of a symmetric profile do."""
 
+BEND = 20.0
+"""Tolerances that a region must bend by: less and it lies on many other surfaces, too."""
+
 DRIFT = 3.0
 """Outside a true border vertices leave the surface at once; on a freeform surface they drift away:
 their distance stays within so many tolerances, or within the chord error of the facets inside."""
@@ -47,7 +50,7 @@ def enough_evidence(mesh: Mesh, graph: FacetGraph, grown: Grown, tolerance: floa
         grown.kind == "torus" and distinct_places(points, grown.surface) < PROFILE
     ):
         return False
-    if sagitta(mesh, grown) < 20.0 * tolerance:
+    if sagitta(mesh, grown) < BEND * tolerance:
         return False
     if is_exact(mesh, grown):
         return True

@@ -16,7 +16,6 @@ class Patches:
     """b patches, each centred at the origin and scaled into the unit ball.
 
     Args:
-        seed: (b,) seed facets.
         facets: (b, f) facet indices, -1 for padding.
         vertices: (b, n) vertex indices, -1 for padding.
         centre: (b, 3) and ``scale`` (b,): world = centre + scale · local, mm.
@@ -25,7 +24,6 @@ class Patches:
         normals: (b, f, 3) facet normals times the square root of their share of the area.
     """
 
-    seed: IntArray
     facets: IntArray
     vertices: IntArray
     centre: FloatArray
@@ -38,7 +36,6 @@ class Patches:
     def take(self, rows: IntArray) -> Patches:
         """The patches of some rows."""
         return Patches(
-            self.seed[rows],
             self.facets[rows],
             self.vertices[rows],
             self.centre[rows],
@@ -70,8 +67,18 @@ def patches_around(
         step = np.where(passable[safe] & (front >= 0)[..., None], graph.neighbour[safe], -1)
         facets = _unique_rows(np.concatenate([facets, step.reshape(len(seeds), -1)], axis=1))
         front = _unique_rows(step.reshape(len(seeds), -1))
+    return patches_of(mesh, facets)
+
+
+def patches_of(mesh: Mesh, facets: IntArray) -> Patches:
+    """Patches of given facets.
+
+    Args:
+        mesh: the mesh.
+        facets: (b, f) facet indices, -1 for padding.
+    """
     corners = np.where(facets[..., None] >= 0, mesh.triangles[np.maximum(facets, 0)], -1)
-    vertices = _unique_rows(corners.reshape(len(seeds), -1))
+    vertices = _unique_rows(corners.reshape(len(facets), -1))
     weights = (vertices >= 0).astype(np.float64)
     points = mesh.vertices[np.maximum(vertices, 0)]
     count = np.maximum(weights.sum(axis=1), 1.0)
@@ -83,7 +90,6 @@ def patches_around(
     area = np.where(valid, mesh.areas[safe], 0.0)
     share = area / np.maximum(area.sum(axis=1), 1e-300)[:, None]
     return Patches(
-        seeds,
         facets,
         vertices,
         centre,
