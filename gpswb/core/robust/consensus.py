@@ -138,6 +138,8 @@ def _descend(
             patches = patches_of(mesh, facets[batch])
             bent = np.flatnonzero(_sagitta(patches) * patches.scale > LEAST_BEND * tolerance)
             batch, patches = batch[bent], patches.take(bent)
+            if not len(batch):
+                break
             tried[batch] = True
             hypotheses, freeform = explain(mesh, patches, size[batch], tolerance)
             hypotheses.sort(key=lambda h: -h.score)
@@ -286,7 +288,7 @@ def explain(
             inside = (d <= (tolerance / some.scale)[:, None]) & (some.weights > 0)
             share = inside.sum(axis=1) / np.maximum(some.weights.sum(axis=1), 1.0)
             # A robust fit chooses its own points: it needs more of them to prove something.
-            good = inside.sum(axis=1) - UNKNOWNS[kind] >= (3 if robust else 1)
+            good = inside.sum(axis=1) - UNKNOWNS[kind] >= (3 if robust else 2)
             good &= (share >= (ROBUST_SHARE if robust else 1.0)) & _is_finite(kind, local)
             for row in np.flatnonzero(good):
                 seed = _seed(mesh, kind, world[row], some.facets[row], tolerance)

@@ -12,6 +12,13 @@ from gpswb.core.robust.torus_chart import TorusChart
 ITERATIONS = 30
 """Levenberg-Marquardt steps at most; exact data converge quadratically in fewer than ten."""
 
+STALLED = 0.98
+"""Share of the cost that a step must leave less than: exact data lose orders of magnitude a step,
+and whether other data end a little nearer changes nothing."""
+
+PATIENCE = 4
+"""Such steps in a row that end a fit: a narrow valley may take some."""
+
 AXIS_ANGLES = np.radians([-75.0, -60.0, -45.0, -30.0, -15.0, 0.0, 15.0, 30.0, 45.0, 60.0, 75.0])
 """Angles between a torus's axis and the plane of its patch that are compared as first guesses."""
 
@@ -185,7 +192,8 @@ def fit(
     """
     surface = surface.copy()
     b = len(surface)
-    damping = np.full(b, 1e-3)
+    damping = np.full(b, 1e-5)
+    idle = np.zeros(b, dtype=np.int64)
     scale = np.full(b, np.inf)
     d, jac = distance_jacobian(kind, surface, points)
     middle = (weights[:, None] @ points)[:, 0] / np.maximum(weights.sum(axis=1), 1e-12)[:, None]
@@ -212,13 +220,15 @@ def fit(
         else:
             trial = chart.moved(move).surface
         d_new, jac_new = distance_jacobian(kind, trial, points[live])
-        better = _cost(d_new, weights[live], scale[live]) <= cost
-        better &= np.isfinite(trial).all(axis=1)
+        cost_new = _cost(d_new, weights[live], scale[live])
+        better = (cost_new <= cost) & np.isfinite(trial).all(axis=1)
         surface[live[better]] = trial[better]
-        damping[live] = np.where(better, damping[live] * 0.1, damping[live] * 10.0)
+        damping[live] = np.where(better, damping[live] * 0.03, damping[live] * 10.0)
         d = np.where(better[:, None], d_new, d)
         jac = np.where(better[:, None, None], jac_new, jac)
         moving = (np.abs(move).max(axis=1) > 1e-13) & (damping[live] < 1e8)
+        idle[live] = np.where(better & (cost_new >= STALLED * cost), idle[live] + 1, 0)
+        moving &= idle[live] < PATIENCE
         if robust_floor is not None and step < 10:
             moving[:] = True
         if not moving.any():
