@@ -7,16 +7,17 @@ import numpy as np
 from scipy.spatial import cKDTree
 
 from gpswb.core.invariance import InvarianceClass
-from gpswb.core.mesh import FloatArray
+from gpswb.core.mesh import FloatArray, IntArray
 from gpswb.core.quotient import axis_coordinates, quotient_coordinates
 from gpswb.core.reference import Reference, axis_frame, spread
 
 _SAMPLES = 400
 _NEIGHBOURS = 12
+_KEPT = 0.95
 
 
 def thickness(points: FloatArray, invariance_class: InvarianceClass, reference: Reference) -> float:
-    """RMS distance of points to the best surface of a class with the given reference, mm.
+    """RMS distance of points (but the outermost 5 %) to the best surface of a class with the given reference, mm.
 
     For planar, spherical and cylindrical the scatter of the one quotient coordinate; for prismatic,
     revolute and helical the scatter of the projected points about their own profile, a quadratic
@@ -33,7 +34,7 @@ def thickness(points: FloatArray, invariance_class: InvarianceClass, reference: 
     if len(points) < 6:
         return 0.0
     offset, _ = _profile_offsets(quotient, None)
-    return float(np.sqrt(np.mean(offset**2))) if len(offset) else 0.0
+    return float(np.sqrt(np.mean(offset[_nearest(offset)] ** 2))) if len(offset) else 0.0
 
 
 def refine_reference(
@@ -58,17 +59,25 @@ def refine_reference(
         quotient = quotient_coordinates(points, invariance_class, trial)
         jacobian = _quotient_jacobian(points, invariance_class, trial)
         offset, change = _profile_offsets(quotient, jacobian)
-        cost = float(np.mean(offset**2)) if len(offset) else np.inf
+        near = _nearest(offset)
+        cost = float(np.mean(offset[near] ** 2)) if len(offset) else np.inf
         if not cost < least:
             break
         best, least = trial, cost
         assert change is not None
-        if not np.isfinite(change).all():
+        if not np.isfinite(change[near]).all():
             break  # a helix whose lead shrinks to nothing has no profile left
+        change = change[near]
         size = np.maximum(np.linalg.norm(change, axis=0), 1e-300)
-        step = np.linalg.lstsq(change / size, -offset, rcond=1e-3)[0] / size
+        step = np.linalg.lstsq(change / size, -offset[near], rcond=1e-3)[0] / size
         trial = _moved(trial, invariance_class, step)
     return best
+
+
+def _nearest(offset: FloatArray) -> IntArray:
+    """Indices of all but the largest offsets: those are where a profile bends within its samples,
+    or where its two sides come nearer than they are apart (a trailing edge)."""
+    return np.argsort(np.abs(offset))[: int(np.ceil(_KEPT * len(offset)))]
 
 
 def _profile_offsets(

@@ -44,6 +44,10 @@ LEAST_BEND = 4.0
 """Tolerances that a part's vertices must leave their mean plane by: a flatter one proves nothing,
 and its halves are flatter still."""
 
+LEAST_HALF = 12
+"""The same for a half of a part where the tolerance is wider than rounding: with few facets, pieces
+of anything lie on some surface."""
+
 MOST = 512
 """Parts of one level that are fitted, larger first, unless some of them are explained: what has
 fallen into more pieces than that is mostly freeform."""
@@ -87,6 +91,7 @@ def find_surfaces(
     initial: IntArray,
     tolerance: float,
     smooth: FloatArray,
+    exact: bool,
 ) -> list[Grown]:
     """Surfaces that connected facets lie on, largest evidence first.
 
@@ -98,12 +103,13 @@ def find_surfaces(
         tolerance: distance that counts as none, mm.
         smooth: (m,) mm, residual of the best torus where facets were seen to be freeform, 0 where
             they were not; what is seen here is added for calls with wider tolerances.
+        exact: whether the tolerance is that of rounding, so that few facets prove a surface.
     """
     free = free.copy()
     found: list[Grown] = []
     group = initial
     for _ in range(ROUNDS):
-        new = _descend(mesh, graph, group, free, tolerance, smooth)
+        new = _descend(mesh, graph, group, free, tolerance, smooth, exact)
         found += new
         if not new:
             break
@@ -118,17 +124,19 @@ def _descend(
     free: BoolArray,
     tolerance: float,
     smooth: FloatArray,
+    exact: bool,
 ) -> list[Grown]:
     """Surfaces of parts, of their halves, and so on; their facets are no longer free afterwards."""
     found: list[Grown] = []
     doubt = np.zeros(len(free))
+    least = LEAST
     flat = np.abs(graph.pair_dihedral) < CREASE
     while True:
         open_ = free & (smooth <= tolerance)
         part = connected_parts(graph, np.where(open_, group, -1), flat)
         facets, size = spread_over(part, SAMPLE)
         order = np.argsort(-size, kind="stable")
-        order = order[size[order] >= LEAST]
+        order = order[size[order] >= least]
         if not len(order):
             return found
         tried = np.zeros(len(size), dtype=bool)
@@ -139,7 +147,7 @@ def _descend(
             bent = np.flatnonzero(_sagitta(patches) * patches.scale > LEAST_BEND * tolerance)
             batch, patches = batch[bent], patches.take(bent)
             if not len(batch):
-                break
+                continue
             tried[batch] = True
             hypotheses, freeform = explain(mesh, patches, size[batch], tolerance)
             hypotheses.sort(key=lambda h: -h.score)
@@ -147,7 +155,8 @@ def _descend(
             _note_freeform(part, batch, freeform, doubt, smooth)
             if start >= MOST and len(found) == known:
                 break
-        worth = np.append(tried & (size > LEAST), False)
+        least = LEAST if exact else LEAST_HALF
+        worth = np.append(tried & (size > least), False)
         group = halves(mesh, np.where(free & worth[part], part, -1))
 
 

@@ -123,7 +123,7 @@ def simple_surfaces(
         for g in found:
             free[g.facets] = False
         found = [_regrow(mesh, graph, g, free, tolerance) for g in found]
-        new = find_surfaces(mesh, graph, free, initial, tolerance, smooth)
+        new = find_surfaces(mesh, graph, free, initial, tolerance, smooth, number == 0)
         for g in new:
             free[g.facets] = False
         found += new + _still_free(weak, free)

@@ -64,9 +64,8 @@ class TorusChart:
         out = np.zeros((len(self.foot), 8, 7))
         centre = self.foot - self.minor[:, None] * self.normal - self.major[:, None] * self.radial
         out[:, :3, 0] = self.normal
-        for i, unit in enumerate(np.eye(3)):
-            out[:, :3, 1 + i] = np.cross(unit, centre - self.foot)
-            out[:, 3:6, 1 + i] = np.cross(unit, self.axis)
+        out[:, :3, 1:4] = _turning(centre - self.foot)
+        out[:, 3:6, 1:4] = _turning(self.axis)
         out[:, :3, 4], out[:, 7, 4] = -self.normal, 1.0
         out[:, :3, 5], out[:, 3:6, 5] = self.major[:, None] * self.axis, self.radial
         out[:, :3, 6], out[:, 6, 6] = -self.radial, 1.0
@@ -74,7 +73,9 @@ class TorusChart:
 
     def moved(self, step: FloatArray) -> TorusChart:
         """The chart after a (b, 7) step; turns are carried out exactly."""
-        normal, axis, radial = (_turned(v, step[:, 1:4]) for v in (self.normal, self.axis, self.radial))
+        normal, axis, radial = _turned(
+            np.stack([self.normal, self.axis, self.radial]), step[:, 1:4]
+        )
         cos, sin = np.cos(step[:, 5, None]), np.sin(step[:, 5, None])
         return TorusChart(
             self.foot + step[:, :1] * self.normal,
@@ -86,12 +87,21 @@ class TorusChart:
         )
 
 
-def _turned(vector: FloatArray, turn: FloatArray) -> FloatArray:
-    """(b, 3) vectors turned by (b, 3) rotation vectors (Rodrigues)."""
-    angle = np.linalg.norm(turn, axis=1)[:, None]
-    unit = turn / np.maximum(angle, TINY)
-    along = np.einsum("bk,bk->b", unit, vector)[:, None] * unit
-    turned: FloatArray = (
-        along + np.cos(angle) * (vector - along) + np.sin(angle) * np.cross(unit, vector)
-    )
+def _turning(v: FloatArray) -> FloatArray:
+    """(b, 3, 3) change of (b, 3) vectors with a turn about each coordinate axis: e × v as columns."""
+    out = np.zeros((len(v), 3, 3))
+    out[:, 1, 0], out[:, 2, 0] = -v[:, 2], v[:, 1]
+    out[:, 0, 1], out[:, 2, 1] = v[:, 2], -v[:, 0]
+    out[:, 0, 2], out[:, 1, 2] = -v[:, 1], v[:, 0]
+    return out
+
+
+def _turned(vectors: FloatArray, turn: FloatArray) -> FloatArray:
+    """(k, b, 3) vectors turned by (b, 3) rotation vectors (Rodrigues)."""
+    angle = np.sqrt(np.einsum("bk,bk->b", turn, turn))
+    unit = turn / np.maximum(angle, TINY)[:, None]
+    spin = -_turning(unit)  # spin @ v is unit × v
+    cos, sin = np.cos(angle)[:, None, None], np.sin(angle)[:, None, None]
+    rotation = cos * np.eye(3) + sin * spin + (1.0 - cos) * unit[:, :, None] * unit[:, None]
+    turned: FloatArray = np.einsum("bij,kbj->kbi", rotation, vectors)
     return turned
