@@ -55,6 +55,13 @@ fallen into more pieces than that is mostly freeform."""
 ROUNDS = 3
 """Descents from what is left, each with new parts: pieces cut by one are whole in the next."""
 
+WORTHWHILE = 0.01
+"""Share of the free facets that a descent must explain before another one can hope for new parts."""
+
+VAIN = 16
+"""Hypotheses of a batch that prove nothing, one after the other, before the rest is given up: on a
+freeform face every part lies on some surface to within a wide tolerance."""
+
 SMALL = 64
 """Facets of a group that hangs together by itself in which every facet deserves a try of its own
 neighbourhood."""
@@ -111,7 +118,7 @@ def find_surfaces(
     for _ in range(ROUNDS):
         new = _descend(mesh, graph, group, free, tolerance, smooth, exact)
         found += new
-        if not new:
+        if sum(len(g.facets) for g in new) < WORTHWHILE * free.sum():
             break
         group = np.zeros(len(free), dtype=np.int64)
     return found + _around_seeds(mesh, graph, free, tolerance, smooth)
@@ -185,13 +192,18 @@ def _grow_all(
 ) -> list[Grown]:
     """The regions of hypotheses that prove their surface; they are no longer free afterwards."""
     found: list[Grown] = []
+    vain = 0
     for h in hypotheses:
         if not free[h.seed]:
             continue
         grown = _proved(mesh, graph, h, free, tolerance)
+        vain += 1
         if grown is not None:
             found.append(grown)
             free[grown.facets] = False
+            vain = 0
+        elif vain == VAIN:
+            break
     return found
 
 
