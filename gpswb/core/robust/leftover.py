@@ -65,7 +65,7 @@ def label_leftover(
     part = np.where(rest, graph.components(joined, len(label)), -1)
     part, _ = number_facet_regions(part, mesh)
     part = _swept_apart(mesh, graph, first, part, sigma, tolerances)
-    broken = rest & (_classes(mesh, part, first.crease, sigma, tolerances) == "complex")[part]
+    broken = rest & (classes_of(mesh, part, first.crease, sigma, tolerances) == "complex")[part]
     out[rest] = int(out.max(initial=-1)) + 1 + part[rest]
     if broken.any():
         pieces = _pieces(mesh, first, part, broken, sigma, tolerances)
@@ -83,7 +83,7 @@ def _swept_apart(
     tolerances: Tolerances,
 ) -> IntArray:
     """(m,) the parts, with swept faces cut out of those that no symmetry fits whole."""
-    names = _classes(mesh, part, first.crease, sigma, tolerances)
+    names = classes_of(mesh, part, first.crease, sigma, tolerances)
     inner = np.where((part >= 0) & (names == "complex")[part], first.region, -1)
     inner, count = number_facet_regions(inner, mesh)
     out = part.copy()
@@ -98,7 +98,7 @@ def _swept_apart(
         if len(sample.facets) <= len(face) < len(inside):
             trial = np.full(len(part), -1, dtype=np.int64)
             trial[face] = 0
-            if _classes(mesh, trial, first.crease, sigma, tolerances)[0] != "complex":
+            if classes_of(mesh, trial, first.crease, sigma, tolerances)[0] != "complex":
                 out[face] = int(out.max()) + 1
     joined = (out[graph.pairs[:, 0]] == out[graph.pairs[:, 1]]) & (out[graph.pairs[:, 0]] >= 0)
     apart = np.where(out >= 0, graph.components(joined, len(out)), -1)
@@ -120,7 +120,7 @@ def _pieces(
     initial[broken] = np.unique(key[broken], return_inverse=True)[1].reshape(-1)
     pieces = refine_regions(mesh, initial, first.crease, sigma, tolerances)
     pieces, _ = number_facet_regions(np.where(broken, pieces, -1), mesh)
-    names = _classes(mesh, pieces, first.crease, sigma, tolerances)
+    names = classes_of(mesh, pieces, first.crease, sigma, tolerances)
     area = np.where(broken, mesh.areas, 0.0)
     symmetric = area * (names != "complex")[pieces]
     parts = int(part.max()) + 1
@@ -130,7 +130,7 @@ def _pieces(
     return np.where(kept, pieces, -1)
 
 
-def _classes(
+def classes_of(
     mesh: Mesh, region: IntArray, crease: BoolArray, sigma: float, tolerances: Tolerances
 ) -> np.ndarray[tuple[int], np.dtype[np.str_]]:
     """(k,) invariance class that fits each region 0..k-1 best."""

@@ -15,6 +15,7 @@ from gpswb.core.partition import Partition, Region
 from gpswb.core.projection import number_facet_regions
 from gpswb.core.recognition import always, recognise
 from gpswb.core.region_samples import confined_normals, region_samples
+from gpswb.core.robust.absorb import absorb_pieces
 from gpswb.core.robust.competition import compete
 from gpswb.core.robust.consensus import find_surfaces
 from gpswb.core.robust.decide import by_gap
@@ -97,20 +98,28 @@ def _nominal_regions(
     """Surfaces, (m,) labels that begin with their numbers, (m,) facets that are planes besides."""
     graph = FacetGraph.of(mesh)
     polygon = coplanar_polygons(mesh, graph, TIERS[0] * mesh.diagonal)
-    surfaces = simple_surfaces(mesh, graph, polygon, first.region, clock)
+    certain = certain_planes(mesh, graph, polygon, TIERS[0] * mesh.diagonal)
+    surfaces = simple_surfaces(mesh, graph, polygon, certain, first.region, clock)
     label = np.full(len(mesh.triangles), -1, dtype=np.int64)
     for i, grown in enumerate(surfaces):
         label[grown.facets] = i
     label, flat = label_leftover(mesh, graph, first, polygon, label, sigma, tolerances)
+    label = absorb_pieces(
+        mesh, graph, first, label, surfaces, certain[polygon], sigma, tolerances
+    )
     return surfaces, label, flat
 
 
 def simple_surfaces(
-    mesh: Mesh, graph: FacetGraph, polygon: IntArray, initial: IntArray, clock: StageClock
+    mesh: Mesh,
+    graph: FacetGraph,
+    polygon: IntArray,
+    certain: BoolArray,
+    initial: IntArray,
+    clock: StageClock,
 ) -> list[Grown]:
     """Planes, cylinders, cones, spheres and tori with the connected facets that prove them."""
     fine = TIERS[0] * mesh.diagonal
-    certain = certain_planes(mesh, graph, polygon, fine)
     whole = mesh.areas > 0.0
     found: list[Grown] = []
     smooth = np.zeros(len(whole))

@@ -59,7 +59,9 @@ def coplanar_polygons(mesh: Mesh, graph: FacetGraph, tolerance: float) -> IntArr
     lever = altitude[:, ::-1] / np.maximum(altitude, 1e-300)
     joined = (height <= tolerance * np.maximum(1.0, lever)).all(axis=1)
     turn = FLAT + 0.04 * tolerance / np.maximum(altitude.min(axis=1), 1e-300)
-    joined &= np.abs(graph.pair_dihedral) < np.minimum(turn, 0.5)
+    # Where a thin ring is meshed more coarsely than it is wide, facets fold over in their plane.
+    folded = np.pi - np.abs(graph.pair_dihedral)
+    joined &= np.minimum(np.abs(graph.pair_dihedral), folded) < np.minimum(turn, 0.5)
     label = graph.components(joined, m)
     # Small steps add up along a gently curved surface: such chains fall apart again.
     bad = _deviation(mesh, label) > 3.0 * tolerance

@@ -1,0 +1,154 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Pieces that are no face of their own, given to the larger region that they smoothly continue."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from gpswb.core.initial import InitialPartition
+from gpswb.core.mesh import BoolArray, FloatArray, IntArray, Mesh
+from gpswb.core.robust.evidence import sagitta
+from gpswb.core.robust.freeform import SMOOTH
+from gpswb.core.robust.growth import Grown, residual
+from gpswb.core.robust.leftover import classes_of
+from gpswb.core.robust.surfaces import distance
+from gpswb.core.robust.topology import FacetGraph
+from gpswb.core.tolerances import Tolerances
+
+CHANCE = 300.0
+"""A region that bends by less than so many times its residual may be a chance fit: two tangent
+surfaces whose curvatures differ by a third leave as much."""
+
+SHARE = 0.5
+"""Share of a piece's border across which it must continue smoothly into the larger region."""
+
+OFF = 0.1
+"""Share of a piece's own extent that its vertices may stand off the surface that takes it."""
+
+ROUNDS = 3
+"""A piece may continue another one that has just been taken."""
+
+
+def absorb_pieces(
+    mesh: Mesh,
+    graph: FacetGraph,
+    first: InitialPartition,
+    label: IntArray,
+    surfaces: Sequence[Grown],
+    sure: BoolArray,
+    sigma: float,
+    tolerances: Tolerances,
+) -> IntArray:
+    """Merge pieces into what they are pieces of.
+
+    A piece has few facets, or lies on its surface only by chance. It goes to the region that it
+    continues smoothly along most of its border, where its vertices lie near that region's surface,
+    or both together keep the motion that the region has, or the region has none.
+
+    Args:
+        mesh: the mesh.
+        graph: its adjacency.
+        first: the first step's result.
+        label: (m,) region of each facet, -1 for none; the first regions are those of ``surfaces``.
+        surfaces: what the facets of a label lie on.
+        sure: (m,) facets that stay what they are: those of certain planes.
+        sigma: noise of the vertices, mm.
+        tolerances: thresholds of recognition.
+
+    Returns:
+        (m,) labels, with gaps.
+    """
+    out = label.copy()
+    few = tolerances.confident_facets
+    kept = np.bincount(label[sure & (label >= 0)], minlength=int(label.max(initial=-1)) + 1) > 0
+    for i, g in enumerate(surfaces):
+        exact = sagitta(mesh, g) >= CHANCE * residual(mesh, g)
+        kept[i] = g.kind == "plane" or (exact and len(g.facets) >= few) or kept[i]
+    for _ in range(ROUNDS):
+        size = np.bincount(out[out >= 0], minlength=len(kept))
+        pieces = np.flatnonzero(
+            (size > 0) & ~kept & ((size < few) | (np.arange(len(kept)) < len(surfaces)))
+        )
+        names = None
+        moved = False
+        for piece in pieces[np.argsort(size[pieces], kind="stable")]:
+            facets = np.flatnonzero(out == piece)
+            host = _host(mesh, graph, out, facets)
+            if host < 0 or (out == host).sum() < 2 * len(facets):
+                continue
+            if host < len(surfaces):
+                fits = _near(mesh, surfaces[host], facets)
+            else:
+                if names is None:
+                    names = _names(mesh, first, out, len(surfaces), sigma, tolerances)
+                fits = names[host] == "complex" or _keeps(
+                    mesh, first, out, host, facets, names[host], sigma, tolerances
+                )
+            if fits:
+                out[facets] = host
+                moved = True
+        if not moved:
+            break
+    return out
+
+
+def _host(mesh: Mesh, graph: FacetGraph, label: IntArray, facets: IntArray) -> int:
+    """The label that facets continue into along at least ``SHARE`` of their border, else -1."""
+    own = label[facets[0]]
+    neighbour = graph.neighbour[facets]
+    other = np.where(neighbour >= 0, label[np.maximum(neighbour, 0)], -1)
+    border = other != own
+    corners = mesh.corners[facets]
+    length = np.linalg.norm(corners[:, [1, 2, 0]] - corners, axis=2)
+    turn = np.abs(graph.dihedral[facets])
+    # A facet that is folded over lies in the region beside it all the same.
+    smooth = border & (other >= 0) & (np.minimum(turn, np.pi - turn) < SMOOTH)
+    total = np.bincount(other[smooth], length[smooth])
+    if not len(total):
+        return -1
+    best = int(np.argmax(total))
+    return best if total[best] >= SHARE * float(length[border].sum()) else -1
+
+
+def _near(mesh: Mesh, host: Grown, facets: IntArray) -> bool:
+    """Whether facets lie near the host's surface, for their size."""
+    points = mesh.corners[facets].reshape(-1, 3)
+    d, _ = distance(host.kind, host.surface[None], points[None])
+    extent = float(np.linalg.norm(np.ptp(points, axis=0)))
+    return float(np.abs(d).max()) <= OFF * extent
+
+
+def _names(
+    mesh: Mesh,
+    first: InitialPartition,
+    label: IntArray,
+    start: int,
+    sigma: float,
+    tolerances: Tolerances,
+) -> dict[int, str]:
+    """Class of each label from ``start`` on."""
+    used = np.unique(label[label >= start])
+    local = np.full(len(label), -1, dtype=np.int64)
+    inside = label >= start
+    local[inside] = np.searchsorted(used, label[inside])
+    names = classes_of(mesh, local, first.crease, sigma, tolerances)
+    return dict(zip(used.tolist(), names.tolist(), strict=True))
+
+
+def _keeps(
+    mesh: Mesh,
+    first: InitialPartition,
+    label: IntArray,
+    host: int,
+    facets: IntArray,
+    name: str,
+    sigma: float,
+    tolerances: Tolerances,
+) -> bool:
+    """Whether a host with facets added has the class that it has without."""
+    trial = np.where(label == host, 0, -1)
+    trial[facets] = 0
+    found: FloatArray = classes_of(mesh, trial, first.crease, sigma, tolerances)
+    return bool(found[0] == name)
