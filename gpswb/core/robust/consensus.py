@@ -164,7 +164,7 @@ def _descend(
                 break
         least = LEAST if exact else LEAST_HALF
         worth = np.append(tried & (size > least), False)
-        group = halves(mesh, np.where(free & worth[part], part, -1))
+        group = halves(graph, np.where(free & worth[part], part, -1), flat)
 
 
 def _note_freeform(

@@ -4,8 +4,10 @@
 from __future__ import annotations
 
 import numpy as np
+from scipy.sparse import csr_array
+from scipy.sparse.csgraph import dijkstra
 
-from gpswb.core.mesh import BoolArray, IntArray, Mesh
+from gpswb.core.mesh import BoolArray, IntArray
 from gpswb.core.robust.topology import FacetGraph
 
 
@@ -29,30 +31,44 @@ def connected_parts(graph: FacetGraph, group: IntArray, smooth: BoolArray) -> In
     return part
 
 
-def halves(mesh: Mesh, part: IntArray) -> IntArray:
-    """Divide each part in two across its longest extent.
+def halves(graph: FacetGraph, part: IntArray, smooth: BoolArray) -> IntArray:
+    """Divide each part in two by the steps from facet to facet from one of its ends.
+
+    Steps follow the surface and the strips of a coarse mesh, whose facets' centroids lie on either
+    side of any plane.
 
     Args:
-        mesh: the mesh.
-        part: (m,) 0-based part of each facet, -1 for none.
+        graph: the adjacency.
+        part: (m,) 0-based connected part of each facet, -1 for none.
+        smooth: (e,) pairs across which facets hang together if they are of one part.
 
     Returns:
         (m,) 0-based half, twice as many as parts, -1 where the part is.
     """
     facets = np.flatnonzero(part >= 0)
-    label = part[facets]
-    count = np.maximum(np.bincount(label), 1)
-    x = mesh.centroids[facets]
-    mean = np.stack([np.bincount(label, x[:, i]) for i in range(3)], axis=1) / count[:, None]
-    x = x - mean[label]
-    moment = np.empty((len(count), 3, 3))
-    for i in range(3):
-        for j in range(i, 3):
-            moment[:, i, j] = moment[:, j, i] = np.bincount(label, x[:, i] * x[:, j])
-    longest = np.linalg.eigh(moment)[1][:, :, 2]
-    side = np.einsum("fk,fk->f", x, longest[label]) > 0.0
     half = np.full(len(part), -1, dtype=np.int64)
-    half[facets] = 2 * label + side
+    if not len(facets):
+        return half
+    label = part[facets]
+    number = np.full(len(part), -1, dtype=np.int64)
+    number[facets] = np.arange(len(facets))
+    a, b = graph.pairs[smooth & (part[graph.pairs[:, 0]] == part[graph.pairs[:, 1]])].T
+    inside = part[a] >= 0
+    row, column = number[a[inside]], number[b[inside]]
+    links = csr_array(
+        (np.ones(len(row), dtype=np.int8), (row, column)), shape=(len(facets), len(facets))
+    )
+    order = np.argsort(label, kind="stable")
+    count = np.bincount(label)
+    ends = order[np.cumsum(count)[count > 0] - 1]
+    for _ in range(2):  # the far end from anywhere is an end, and so is the far end from there
+        steps = dijkstra(links, directed=False, indices=ends, unweighted=True, min_only=True)
+        order = np.lexsort((steps, label))
+        ends = order[np.cumsum(count)[count > 0] - 1]
+    rank = np.empty(len(facets), dtype=np.int64)
+    rank[order] = np.arange(len(facets))
+    start = np.cumsum(count) - count
+    half[facets] = 2 * label + (2 * (rank - start[label]) >= count[label])
     return half
 
 
