@@ -17,11 +17,11 @@ _KEPT = 0.95
 
 
 def thickness(points: FloatArray, invariance_class: InvarianceClass, reference: Reference) -> float:
-    """RMS distance of points (but the outermost 5 %) to the best surface of a class with the given reference, mm.
+    """RMS distance of points to the best surface of a class with the given reference, mm.
 
     For planar, spherical and cylindrical the scatter of the one quotient coordinate; for prismatic,
     revolute and helical the scatter of the projected points about their own profile, a quadratic
-    through the nearest projected points. Complex fits everything: 0.
+    through the nearest projected points; the outermost 5 % are left out. Complex fits everything: 0.
 
     Args:
         points: (n, 3) mm, n >= 1; where fewer than 6 points leave a profile undetermined it is 0.

@@ -8,7 +8,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from gpswb.core.initial import InitialPartition
-from gpswb.core.mesh import BoolArray, FloatArray, IntArray, Mesh
+from gpswb.core.mesh import BoolArray, IntArray, Mesh
 from gpswb.core.robust.evidence import sagitta
 from gpswb.core.robust.freeform import SMOOTH
 from gpswb.core.robust.growth import Grown, residual
@@ -150,5 +150,4 @@ def _keeps(
     """Whether a host with facets added has the class that it has without."""
     trial = np.where(label == host, 0, -1)
     trial[facets] = 0
-    found: FloatArray = classes_of(mesh, trial, first.crease, sigma, tolerances)
-    return bool(found[0] == name)
+    return bool(classes_of(mesh, trial, first.crease, sigma, tolerances)[0] == name)

@@ -56,7 +56,7 @@ ROUNDS = 3
 """Descents from what is left, each with new parts: pieces cut by one are whole in the next."""
 
 WORTHWHILE = 0.01
-"""Share of the free facets that a descent must explain before another one can hope for new parts."""
+"""Share of the free facets that a descent must explain to give another one hope of new parts."""
 
 VAIN = 16
 """Hypotheses of a batch that prove nothing, one after the other, before the rest is given up: on a

@@ -70,7 +70,7 @@ def _torus_starts(
 ) -> list[FloatArray]:
     """Tori that agree with each patch's curvatures, and one from its slippage.
 
-    Second order fixes the tube's radius and leaves one angle of the axis free: the angle whose torus
+    Second order fixes the tube's radius and leaves one angle of the axis free: that whose torus
     is nearest to the patch is taken, for either principal direction as the meridian.
     """
     axis, through = _rotation_axis(centres, normals)
@@ -213,7 +213,7 @@ def fit(
         size = np.maximum(np.trace(h, axis1=1, axis2=2), 1e-30)
         each = range(h.shape[1])
         h[:, each, each] += damping[live, None] * size[:, None] / 8 + 1e-14 * size[:, None]
-        move = -np.linalg.solve(h, g[..., None])[..., 0]
+        move: FloatArray = -np.linalg.solve(h, g[..., None])[..., 0]
         if chart is None:
             trial = surface[live] + move
             trial[:, 3:6] /= np.maximum(np.linalg.norm(trial[:, 3:6], axis=1), 1e-12)[:, None]

@@ -88,7 +88,7 @@ class TorusChart:
 
 
 def _turning(v: FloatArray) -> FloatArray:
-    """(b, 3, 3) change of (b, 3) vectors with a turn about each coordinate axis: e × v as columns."""
+    """(b, 3, 3) change of (b, 3) vectors v with turns about the axes e: e × v as columns."""
     out = np.zeros((len(v), 3, 3))
     out[:, 1, 0], out[:, 2, 0] = -v[:, 2], v[:, 1]
     out[:, 0, 1], out[:, 2, 1] = v[:, 2], -v[:, 0]
