@@ -32,7 +32,7 @@ from gpswb.core.recognition import recognise, weigh
 from gpswb.core.region_samples import confined_normals, region_samples
 from gpswb.core.robust.leftover import label_leftover
 from gpswb.core.robust.pipeline import TIERS, simple_surfaces
-from gpswb.core.robust.polygons import coplanar_polygons
+from gpswb.core.robust.polygons import certain_planes, coplanar_polygons
 from gpswb.core.robust.topology import FacetGraph
 from gpswb.core.shape_types import plane_by_sagitta, shape_types
 from gpswb.core.sharp_edges import feature_edges
@@ -110,7 +110,8 @@ def polygons(run: Run) -> Any:
 
 def consensus(run: Run) -> Any:
     graph, polygon = run["polygons"]
-    return simple_surfaces(run.mesh, graph, polygon, run["initial"].region, StageClock())
+    certain = certain_planes(run.mesh, graph, polygon, TIERS[0] * run.mesh.diagonal)
+    return simple_surfaces(run.mesh, graph, polygon, certain, run["initial"].region, StageClock())
 
 
 def leftover(run: Run) -> Any:

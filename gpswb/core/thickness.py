@@ -21,7 +21,7 @@ def thickness(points: FloatArray, invariance_class: InvarianceClass, reference: 
 
     For planar, spherical and cylindrical the scatter of the one quotient coordinate; for prismatic,
     revolute and helical the scatter of the projected points about their own profile, a quadratic
-    through the nearest projected points; the outermost 5 % are left out. Complex fits everything: 0.
+    through the nearest projected points; the outermost 5 % are left out. Complex fits all: 0.
 
     Args:
         points: (n, 3) mm, n >= 1; where fewer than 6 points leave a profile undetermined it is 0.

@@ -213,7 +213,8 @@ def fit(
         size = np.maximum(np.trace(h, axis1=1, axis2=2), 1e-30)
         each = range(h.shape[1])
         h[:, each, each] += damping[live, None] * size[:, None] / 8 + 1e-14 * size[:, None]
-        move: FloatArray = -np.linalg.solve(h, g[..., None])[..., 0]
+        move = -np.asarray(np.linalg.solve(h, g[..., None])[..., 0], dtype=np.float64)
+        trial: FloatArray
         if chart is None:
             trial = surface[live] + move
             trial[:, 3:6] /= np.maximum(np.linalg.norm(trial[:, 3:6], axis=1), 1e-12)[:, None]

@@ -104,9 +104,7 @@ def _nominal_regions(
     for i, grown in enumerate(surfaces):
         label[grown.facets] = i
     label, flat = label_leftover(mesh, graph, first, polygon, label, sigma, tolerances)
-    label = absorb_pieces(
-        mesh, graph, first, label, surfaces, certain[polygon], sigma, tolerances
-    )
+    label = absorb_pieces(mesh, graph, first, label, surfaces, certain[polygon], sigma, tolerances)
     return surfaces, label, flat
 
 
