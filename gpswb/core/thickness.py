@@ -14,6 +14,7 @@ from gpswb.core.reference import Reference, axis_frame, spread
 _SAMPLES = 400
 _NEIGHBOURS = 12
 _KEPT = 0.95
+_CONSISTENT = 0.8711  # RMS of a standard normal deviate without its outermost 5 %
 
 
 def thickness(points: FloatArray, invariance_class: InvarianceClass, reference: Reference) -> float:
@@ -34,7 +35,9 @@ def thickness(points: FloatArray, invariance_class: InvarianceClass, reference: 
     if len(points) < 6:
         return 0.0
     offset, _ = _profile_offsets(quotient, None)
-    return float(np.sqrt(np.mean(offset[_nearest(offset)] ** 2))) if len(offset) else 0.0
+    if not len(offset):
+        return 0.0
+    return float(np.sqrt(np.mean(offset[_nearest(offset)] ** 2))) / _CONSISTENT
 
 
 def refine_reference(
