@@ -6,8 +6,9 @@ suggested datum systems lock all that the part allows, each letter something; an
 file holds, whether each datum feature has the class and the faces of its exact surfaces, how many
 magnitudes are read and how many characteristics would be called not allowed.
 
-Regions are the CAD surfaces' own, meshed as for STL; with ``--recognised`` what the pipeline makes
-of the mesh, density auto. ``--docs FILE.md`` renews the figures in a document.
+Regions are the CAD surfaces' own; with ``--recognised`` what the pipeline makes of the mesh, and
+how many of the CAD surfaces' features and compounds are found so. Density is auto. ``--docs
+FILE.md`` renews the figures in a document.
 """
 
 from __future__ import annotations
@@ -63,6 +64,8 @@ class Row:
     tolerances: int = 0
     read: int = 0
     refused: int = 0
+    alike: int = 0  # features and compounds that are those of the CAD surfaces, by faces
+    of_cad: int = 0
 
 
 def figures(path: Path, *, recognised: bool) -> Row:
@@ -77,6 +80,7 @@ def figures(path: Path, *, recognised: bool) -> Row:
     suggestions = annotate(table).suggestions
     first = suggestions[0] if suggestions else None
     counts = _pmi(path, solid, table, truths)
+    cad = _face_sets(_cad_table(solid)) if recognised else set()
     return Row(
         file=path.name,
         faces=len(truths),
@@ -90,6 +94,8 @@ def figures(path: Path, *, recognised: bool) -> Row:
         needed=first.needed if first else 0,
         complete=bool(suggestions) and all(map(_good, suggestions)),
         runner_up=_locks(suggestions[1]) if len(suggestions) > 1 else "",
+        alike=len(cad & _face_sets(table)),
+        of_cad=len(cad),
         **counts,
     )
 
@@ -98,9 +104,17 @@ def _table(path: Path, *, recognised: bool) -> tuple[FeatureTable, Solid]:
     if recognised:
         outcome = examine(path, Settings(Density("auto"), "robust", "hybrid", "ocp"))
         return features_of(outcome), outcome.solid
-    solid = read_solid(path, Density("stl"))
+    solid = read_solid(path, Density("auto"))
+    return _cad_table(solid), solid
+
+
+def _cad_table(solid: Solid) -> FeatureTable:
     partition, names, bodies = true_partition(solid)
-    return feature_table(partition, names, bodies=bodies), solid
+    return feature_table(partition, names, bodies=bodies)
+
+
+def _face_sets(table: FeatureTable) -> set[tuple[str, frozenset[str]]]:
+    return {(feature.kind, frozenset(feature.faces)) for feature in table.features}
 
 
 def _diameters(
@@ -196,7 +210,7 @@ def sums(rows: list[Row]) -> list[str]:
     done = [row for row in rows if row.status == "done" and row.features]
     total = {key: sum(asdict(row)[key] for row in done) for key in (
         "faces", "amiss", "diameters", "diameters_off", "datums", "datums_right", "tolerances",
-        "read", "refused",
+        "read", "refused", "alike", "of_cad",
     )}  # fmt: skip
     worst = max((row.worst_mm for row in done), default=0.0)
     n = len(done)
@@ -217,6 +231,10 @@ def sums(rows: list[Row]) -> list[str]:
         "magnitudes of tolerances read": f"{total['read']} of {total['tolerances']}",
         "tolerances called not allowed": f"{total['refused']}",
     }
+    if total["of_cad"]:
+        table["features and compounds of the CAD surfaces that are found, with all their faces"] = (
+            f"{total['alike']} of {total['of_cad']}"
+        )
     return ["| | |", "|---|---|", *(f"| {name} | {value} |" for name, value in table.items())]
 
 
