@@ -43,17 +43,19 @@ def face_rows(stored: StoredResult, name: str) -> list[tuple[str, str]]:
     face = next((face for face in stored.faces if face.name == name), None)
     if face is None:
         raise InputError(f"no face {name!r}")
-    t = translate
     rows = [
-        (t("GPS", "Class"), t("GPS", face.invariance_class or "none")),
-        (t("GPS", "CAD surface"), f"{t('GPS', face.surface)}, {t('GPS', face.true_class or '–')}"),
-        (t("GPS", "Agreement"), _agreement(face)),
-        (t("GPS", "Area"), quantity(face.area, FreeCAD.Units.Area)),
-        (t("GPS", "Triangles"), str(face.triangles)),
+        (translate("GPS", "Class"), translate("GPS", face.invariance_class or "none")),
+        (
+            translate("GPS", "CAD surface"),
+            f"{translate('GPS', face.surface)}, {translate('GPS', face.true_class or '–')}",
+        ),
+        (translate("GPS", "Agreement"), _agreement(face)),
+        (translate("GPS", "Area"), quantity(face.area, FreeCAD.Units.Area)),
+        (translate("GPS", "Triangles"), str(face.triangles)),
     ]
     if face.undecided:
-        classes = ", ".join(t("GPS", each) for each in face.undecided)
-        rows.insert(1, (t("GPS", "Undecided"), classes))
+        classes = ", ".join(translate("GPS", each) for each in face.undecided)
+        rows.insert(1, (translate("GPS", "Undecided"), classes))
     region = next((r for r in stored.partition.regions if r.id in face.regions[:1]), None)
     return rows + (_region_rows(region) if region is not None else [])
 

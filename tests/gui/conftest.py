@@ -3,10 +3,12 @@
 
 import FreeCAD
 import FreeCADGui
+import Part
 import pytest
 from window import settle
 
 from gpswb.gui.compat import QtCore, QtWidgets
+from gpswb.gui.objects.partition import finish_run, make_partition, start_run
 from gpswb.gui.panels.show import shown_panel
 
 
@@ -40,18 +42,40 @@ def document():
 @pytest.fixture
 def block(document):
     """A block with a hole and a dome, its faces in colours of the user's."""
-    import Part
-
-    hole = Part.makeCylinder(6.0, 20.0, FreeCAD.Vector(12.0, 15.0, 0.0))
-    dome = Part.makeSphere(8.0, FreeCAD.Vector(32.0, 15.0, 20.0))
     part = document.addObject("Part::Feature", "Block")
-    part.Shape = Part.makeBox(44.0, 30.0, 20.0).cut(hole).fuse(dome)
+    part.Shape = block_shape()
     document.recompute()
     part.ViewObject.DiffuseColor = own_colours(part)
     FreeCADGui.activeDocument().activeView().viewIsometric()
     FreeCADGui.SendMsgToActiveView("ViewFit")
     settle()
     return part
+
+
+@pytest.fixture(scope="session")
+def found():
+    """What a run on the block finds, once for all tests that are not about running."""
+    document = FreeCAD.newDocument("Once")
+    part = document.addObject("Part::Feature", "Block")
+    part.Shape = block_shape()
+    work = start_run(part, "auto", "robust")
+    yield work.result(), work.folder / "labels.npz"
+    work.close()
+
+
+@pytest.fixture
+def partition(found, block):
+    made = make_partition(block, "auto", "robust", compute=False)
+    for _ in finish_run(made, *found):
+        pass
+    settle()
+    return made
+
+
+def block_shape():
+    hole = Part.makeCylinder(6.0, 20.0, FreeCAD.Vector(12.0, 15.0, 0.0))
+    dome = Part.makeSphere(8.0, FreeCAD.Vector(32.0, 15.0, 20.0))
+    return Part.makeBox(44.0, 30.0, 20.0).cut(hole).fuse(dome)
 
 
 def own_colours(part):

@@ -3,24 +3,16 @@
 
 import FreeCAD
 import FreeCADGui
-import pytest
 from conftest import own_colours
 from test_partition_panel import rgb, true_classes
 from window import click_in_view, picture, pixel_of_face, pixels, settle
 
 from gpswb.gui.colouring import COLOUR_BY
 from gpswb.gui.compat import face_colours
-from gpswb.gui.objects.partition import make_partition, partitions
+from gpswb.gui.objects.partition import partitions
 from gpswb.gui.panels.legend import show_legend
 from gpswb.gui.panels.show import shown_panel
 from gpswb.io.colours import SAFE, WHEEL
-
-
-@pytest.fixture
-def partition(block):
-    made = make_partition(block)
-    settle()
-    return made
 
 
 def is_coloured(part):

@@ -88,7 +88,8 @@ def sync_features(partition: Any, stored: StoredResult) -> Iterator[None]:
         obj = old[i] if i < len(old) else _new(document)
         count[region.surface] += 1
         _fill(obj, partition.Source, region, on_region[region.id])
-        obj.Label = f"{region.surface.capitalize()} {count[region.surface]}"
+        word = compat.translate("GPS", region.surface).capitalize()
+        obj.Label = f"{word} {count[region.surface]}"
         obj.purgeTouched()
         made.append(obj)
         yield

@@ -83,6 +83,15 @@ class PartitionView:
             show_colours(view, found.face_colours)
             _show_source(view, True)
 
+    def getElementPicked(self, picked: Any) -> str:
+        """Name of the face that a facet of the shown mesh came from."""
+        detail = picked.getDetail()
+        facemap = effective_result(self.obj)[0].solid.facemap
+        if facemap is None or not detail.isOfType(coin.SoFaceDetail.getClassTypeId()):
+            return ""
+        facet = coin.cast(detail, "SoFaceDetail").getFaceIndex()
+        return f"Face{facemap.face_of_triangle[facet] + 1}"
+
     def onDelete(self, view: Any, subelements: Any) -> bool:
         """Give the user's colours back and take the features along."""
         restore_colours(view)

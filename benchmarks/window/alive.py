@@ -1,0 +1,111 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""How long FreeCAD's window stands still while a large part is partitioned, and what it costs to
+have the workbench: run by ``./gps bench window``.
+
+The part is a plate with 494 holes, 500 faces; it is meshed with about 500,000 triangles. A timer
+that should beat every 5 ms tells how long the window was not served. Prints a table.
+"""
+
+import os
+import sys
+import time
+
+import FreeCAD
+import FreeCADGui
+import Part
+from PySide import QtCore
+
+TRIANGLES = int(os.environ.get("GPSWB_TRIANGLES", "500000"))
+BEAT_MS = 5
+
+
+class Heart:
+    """Notes the longest time between two beats, by what was going on."""
+
+    def __init__(self):
+        self.longest = {}
+        self.doing = "idle"
+        self._last = time.perf_counter()
+        self._timer = QtCore.QTimer()
+        self._timer.timeout.connect(self._beat)
+        self._timer.start(BEAT_MS)
+
+    def _beat(self):
+        now = time.perf_counter()
+        self.longest[self.doing] = max(self.longest.get(self.doing, 0.0), now - self._last)
+        self._last = now
+
+
+def plate():
+    holes = [
+        Part.makeCylinder(2.0, 10.0, FreeCAD.Vector(10.0 + 8.0 * i, 10.0 + 8.0 * j, 0.0))
+        for i in range(26)
+        for j in range(19)
+    ]
+    return Part.makeBox(220.0, 164.0, 10.0).cut(Part.makeCompound(holes))
+
+
+def wait(until, seconds):
+    loop, end = QtCore.QEventLoop(), time.monotonic() + seconds
+    timer = QtCore.QTimer()
+    timer.timeout.connect(lambda: (until() or time.monotonic() > end) and loop.quit())
+    timer.start(20)
+    loop.exec_()
+    if not until():
+        raise TimeoutError
+
+
+def measure():
+    from gpswb.gui.objects.partition import partitions
+    from gpswb.gui.panels.partition import PartitionPanel
+    from gpswb.gui.panels.show import show_panel, shown_panel
+
+    FreeCADGui.activateWorkbench("GpsWorkbench")
+    document = FreeCAD.newDocument("Plate")
+    part = document.addObject("Part::Feature", "Plate")
+    part.Shape = plate()
+    document.recompute()
+    FreeCADGui.SendMsgToActiveView("ViewFit")
+    print(f"faces {len(part.Shape.Faces)}")
+    heart = Heart()
+    wait(lambda: True, 3)
+    for _ in range(50):
+        FreeCADGui.updateGui()
+    panel = PartitionPanel(source=part)
+    panel.density.set_density(f"triangles={TRIANGLES}")
+    panel.mode.setCurrentIndex(panel.mode.findData(os.environ.get("GPSWB_MODE", "robust")))
+    show_panel(panel)
+    heart.doing = "start"
+    start = time.perf_counter()
+    panel.accept()
+    heart.doing = "run"
+    wait(lambda: not panel._run or not panel._run.running, 1800)
+    ran = time.perf_counter()
+    heart.doing = "result into the document"
+    wait(lambda: shown_panel() is None, 300)
+    done = time.perf_counter()
+    heart.doing = "after"
+    for _ in range(20):
+        FreeCADGui.updateGui()
+    wait(lambda: time.perf_counter() > done + 3, 10)
+    (partition,) = partitions(document)
+    heart.doing = "mesh shown"
+    partition.ViewObject.DisplayMode = "Facets"
+    shown = time.perf_counter()
+    wait(lambda: time.perf_counter() > shown + 3, 30)
+    print(f"triangles {partition.Triangles}, features {len(partition.Group)}")
+    print(f"run {ran - start:.1f} s, result into the document {done - ran:.1f} s")
+    for doing, longest in heart.longest.items():
+        print(f"longest standstill, {doing}: {1000 * longest:.0f} ms")
+
+
+def main():
+    sys.stdout, sys.stderr = sys.__stdout__, sys.__stderr__
+    try:
+        measure()
+    finally:
+        sys.stdout.flush()
+        os._exit(0)
+
+
+QtCore.QTimer.singleShot(1500, main)

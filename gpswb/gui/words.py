@@ -1,0 +1,80 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Words of the other packages that the window shows, listed for translation."""
+
+from __future__ import annotations
+
+from gpswb.gui.compat import QT_TRANSLATE_NOOP
+
+WORDS = (
+    # invariance classes
+    QT_TRANSLATE_NOOP("GPS", "planar"),
+    QT_TRANSLATE_NOOP("GPS", "cylindrical"),
+    QT_TRANSLATE_NOOP("GPS", "spherical"),
+    QT_TRANSLATE_NOOP("GPS", "revolute"),
+    QT_TRANSLATE_NOOP("GPS", "prismatic"),
+    QT_TRANSLATE_NOOP("GPS", "helical"),
+    QT_TRANSLATE_NOOP("GPS", "complex"),
+    QT_TRANSLATE_NOOP("GPS", "none"),
+    # surfaces of regions
+    QT_TRANSLATE_NOOP("GPS", "plane"),
+    QT_TRANSLATE_NOOP("GPS", "cylinder"),
+    QT_TRANSLATE_NOOP("GPS", "sphere"),
+    QT_TRANSLATE_NOOP("GPS", "cone"),
+    QT_TRANSLATE_NOOP("GPS", "torus"),
+    QT_TRANSLATE_NOOP("GPS", "revolution"),
+    QT_TRANSLATE_NOOP("GPS", "extrusion"),
+    QT_TRANSLATE_NOOP("GPS", "helicoid"),
+    QT_TRANSLATE_NOOP("GPS", "freeform"),
+    # CAD surfaces
+    QT_TRANSLATE_NOOP("GPS", "Plane"),
+    QT_TRANSLATE_NOOP("GPS", "Cylinder"),
+    QT_TRANSLATE_NOOP("GPS", "Cone"),
+    QT_TRANSLATE_NOOP("GPS", "Sphere"),
+    QT_TRANSLATE_NOOP("GPS", "Torus"),
+    QT_TRANSLATE_NOOP("GPS", "BSpline"),
+    QT_TRANSLATE_NOOP("GPS", "Bezier"),
+    QT_TRANSLATE_NOOP("GPS", "Revolution"),
+    QT_TRANSLATE_NOOP("GPS", "Extrusion"),
+    QT_TRANSLATE_NOOP("GPS", "Offset"),
+    QT_TRANSLATE_NOOP("GPS", "Other"),
+    QT_TRANSLATE_NOOP("GPS", "Null"),
+    # what colours show
+    QT_TRANSLATE_NOOP("GPS", "invariance class"),
+    QT_TRANSLATE_NOOP("GPS", "shape type"),
+    QT_TRANSLATE_NOOP("GPS", "initial region"),
+    QT_TRANSLATE_NOOP("GPS", "refined region"),
+    QT_TRANSLATE_NOOP("GPS", "agreement with CAD"),
+    QT_TRANSLATE_NOOP("GPS", "constraint state"),
+    QT_TRANSLATE_NOOP("GPS", "spherical cup"),
+    QT_TRANSLATE_NOOP("GPS", "trough"),
+    QT_TRANSLATE_NOOP("GPS", "rut"),
+    QT_TRANSLATE_NOOP("GPS", "saddle rut"),
+    QT_TRANSLATE_NOOP("GPS", "saddle"),
+    QT_TRANSLATE_NOOP("GPS", "saddle ridge"),
+    QT_TRANSLATE_NOOP("GPS", "ridge"),
+    QT_TRANSLATE_NOOP("GPS", "dome"),
+    QT_TRANSLATE_NOOP("GPS", "spherical cap"),
+    QT_TRANSLATE_NOOP("GPS", "sharp edge"),
+    QT_TRANSLATE_NOOP("GPS", "agrees"),
+    QT_TRANSLATE_NOOP("GPS", "disagrees"),
+    QT_TRANSLATE_NOOP("GPS", "no CAD class"),
+    QT_TRANSLATE_NOOP("GPS", "datum"),
+    QT_TRANSLATE_NOOP("GPS", "fully located"),
+    QT_TRANSLATE_NOOP("GPS", "oriented, not located"),
+    QT_TRANSLATE_NOOP("GPS", "not oriented"),
+    QT_TRANSLATE_NOOP("GPS", "in no feature"),
+    # files
+    QT_TRANSLATE_NOOP("GPS", "Report"),
+    QT_TRANSLATE_NOOP("GPS", "Result"),
+    QT_TRANSLATE_NOOP("GPS", "Faces"),
+    QT_TRANSLATE_NOOP("GPS", "GPS features"),
+    QT_TRANSLATE_NOOP("GPS", "GPS features, table"),
+    QT_TRANSLATE_NOOP("GPS", "QIF 3.0"),
+    QT_TRANSLATE_NOOP("GPS", "Mesh coloured by class"),
+    QT_TRANSLATE_NOOP("GPS", "Mesh with labels"),
+    # columns
+    QT_TRANSLATE_NOOP("GPS", "Face"),
+    QT_TRANSLATE_NOOP("GPS", "Surface"),
+    QT_TRANSLATE_NOOP("GPS", "CAD"),
+    QT_TRANSLATE_NOOP("GPS", "Recognised"),
+)
