@@ -3,16 +3,17 @@
 
 from __future__ import annotations
 
+import hashlib
 import json
 import multiprocessing
 import resource
-import tempfile
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
+import gpswb
 from gpswb.batch.one_part import partition_solid
 from gpswb.batch.settings import Settings
 from gpswb.cad.density import Density
@@ -23,6 +24,8 @@ from gpswb.core.pipeline import Method
 from gpswb.scan.point_regions import region_of_points
 from gpswb.validation.face_result import facet_classes
 from gpswb.validation.validate import validate
+
+KEPT = Path(__file__).resolve().parents[1] / "build" / "measured"
 
 METHODS: tuple[Method, ...] = ("hybrid", "curvature", "slippage")
 
@@ -48,24 +51,37 @@ class Run:
 
 
 def run(solid: Solid, method: Method = "hybrid", limit: float = 900.0) -> Run | None:
-    """Partition a solid; None if that takes more than ``limit`` seconds of CPU time."""
-    mesh = solid.mesh
-    with tempfile.TemporaryDirectory() as scratch:
-        out = Path(scratch) / "run.npz"
+    """Partition a solid; None if that takes more than ``limit`` seconds of CPU time.
+
+    What the same code made of the same mesh before is taken from build/measured, so that a run that
+    was cut short goes on where it stopped.
+    """
+    KEPT.mkdir(parents=True, exist_ok=True)
+    out = KEPT / f"{_key(solid, method, limit)}.npz"
+    if not out.exists():
         child = multiprocessing.get_context("fork").Process(
             target=_work, args=(solid, method, limit, out)
         )
         child.start()
         child.join()
         if not out.exists():
-            print(f"  {len(mesh.triangles)} triangles, {method}: not done in time", flush=True)
-            return None
-        with np.load(out, allow_pickle=False) as kept:
-            arrays = {name: kept[name] for name in kept.files if name != "facts"}
-            facts = json.loads(str(kept["facts"]))
-            said = {name: round(value, 4) for name, value in facts.items()}
-            print(f"  {len(mesh.triangles)} triangles, {method}: {said}", flush=True)
-            return Run(facts=facts, **arrays)
+            np.savez(out, facts="null")
+    with np.load(out, allow_pickle=False) as kept:
+        arrays = {name: kept[name] for name in kept.files if name != "facts"}
+        facts = json.loads(str(kept["facts"]))
+    print(f"  {len(solid.mesh.triangles)} triangles, {method}: {facts}", flush=True)
+    return Run(facts=facts, **arrays) if facts else None
+
+
+def _key(solid: Solid, method: Method, limit: float) -> str:
+    """Name of a run: of the code that partitions, the mesh and the options."""
+    said = hashlib.sha256(f"{method} {limit} {solid.pointmap is not None}".encode())
+    package = Path(gpswb.__file__).parent
+    for path in sorted([*package.glob("core/**/*.py"), *package.glob("scan/*.py")]):
+        said.update(path.read_bytes())
+    said.update(solid.mesh.vertices.tobytes())
+    said.update(solid.mesh.triangles.tobytes())
+    return said.hexdigest()[:24]
 
 
 def _work(solid: Solid, method: Method, limit: float, out: Path) -> None:
@@ -89,7 +105,7 @@ def _work(solid: Solid, method: Method, limit: float, out: Path) -> None:
         facts["f1"] = judged.region_f1
     classes = [CLASSES.index(region.invariance_class) for region in result.regions]
     vertex = region_of_points(result, np.arange(len(mesh.vertices)))
-    draft = out.with_name("draft.npz")
+    draft = out.with_suffix(".draft.npz")
     np.savez(
         draft,
         facts=json.dumps(facts),
