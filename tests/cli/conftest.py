@@ -8,6 +8,8 @@ from pathlib import Path
 
 import pytest
 
+sys.path.insert(0, str(Path(__file__).parents[2] / "examples"))
+
 Command = Callable[..., "subprocess.CompletedProcess[str]"]
 
 

@@ -10,7 +10,10 @@ import numpy as np
 
 from gpswb.cad.solid import Face, FaceMap, FaceTruth, Solid
 from gpswb.core.mesh import Mesh
+from gpswb.gps.characteristics import RULES
+from gpswb.gps.datum_system import Datum
 from gpswb.gps.gps_feature import GpsFeature, Size
+from gpswb.gps.specified import GeometricalTolerance, SizeTolerance
 
 # Corners of the six sides, counter-clockwise seen from outside; in units of the sizes.
 SIDES = (
@@ -196,3 +199,34 @@ def a_feature(id_: int, name: str, faces: Sequence[str], size: Size | None = Non
         id_, name, "integral", "planar", "plane", (), {}, {}, size, "neither", "", (),
         tuple(faces), 1.0,
     )  # fmt: skip
+
+
+def every_pmi(
+    names: Sequence[str],
+) -> tuple[dict[str, tuple[GpsFeature, ...]], list[GeometricalTolerance | SizeTolerance]]:
+    """Datums, every characteristic, sizes with all signs of deviation on six faces of one part."""
+    letters = {
+        "A": (a_feature(0, "one 'face' \\ ä", names[:1]),),
+        "B": (a_feature(1, "<b>two</b>", names[1:3]),),
+        "C": (a_feature(2, "three", names[3:6]),),
+    }
+    a, b, c = (Datum(letter, features) for letter, features in letters.items())
+    common = Datum("A-B", (*letters["A"], *letters["B"]))
+    orienting = Datum("A", letters["A"], orientation_only=True)
+    sections: list[tuple[Datum, ...]] = [(a,), (a, b, c), (common, c), (orienting, b)]
+    on = [a_feature(3, "single", names[3:4]), a_feature(4, "double", names[4:6])]
+    tolerances: list[GeometricalTolerance | SizeTolerance] = []
+    for i, (name, rule) in enumerate(RULES.items()):
+        datums = () if rule.group == "form" else sections[i % 4]
+        modifiers = ("Ⓜ", "Ⓡ") if name == "position" else ("Ⓛ",) if name == "symmetry" else ()
+        prefix = {"position": "Ø", "coaxiality": "SØ"}.get(name, "")
+        tolerances.append(
+            GeometricalTolerance(on[i % 2], name, 0.01 + 0.001 * i, datums, modifiers, prefix)
+        )
+    size, angle = Size("diameter", 12.7), Size("cone angle", 60.0)
+    for i, (lower, upper) in enumerate([(-0.1, 0.02), (0.01, 0.03), (-0.03, -0.01), (0.0, 0.0)]):
+        feature = a_feature(5 + i, f"size {i}", names[i : i + 1], size)
+        tolerances.append(SizeTolerance(feature, lower, upper))
+    tolerances.append(SizeTolerance(a_feature(9, "fit", names[4:5], size), None, None, "H7"))
+    tolerances.append(SizeTolerance(a_feature(10, "cone", names[5:6], angle), -0.5, 0.25))
+    return letters, tolerances
