@@ -20,6 +20,9 @@ from gpswb.io.length_units import MILLIMETRES, SPELLINGS
 from gpswb.scan.cloud import mesh_cloud
 from gpswb.scan.repair import repair
 
+SMALLEST, LARGEST = 1e-6, 1e9
+"""Extents that a part may have, mm; beyond them numbers overflow, or the unit is wrong."""
+
 SUFFIXES = (*mesh_file.SUFFIXES, *cloud_file.SUFFIXES)
 """Endings, in lower case, of measured files; FCStd documents may hold measurements, too."""
 
@@ -95,11 +98,12 @@ def solid_of_parts(
     )
     pointmap = None
     try:
+        finite, told = _finite(vertices)
+        _check_extent(vertices[finite])
         if all(len(part.triangles) for part in parts):
             mesh, told = repair(Mesh(vertices, facets))
             mesher = "none"
         else:
-            finite, told = _finite(vertices)
             cloud = mesh_cloud(vertices[finite])
             vertex = np.full(len(vertices), -1, dtype=np.int64)
             vertex[finite] = cloud.vertex_of_point
@@ -121,6 +125,14 @@ def _finite(points: FloatArray) -> tuple[IntArray, tuple[str, ...]]:
     lost = int((~good).sum())
     told = (f"{lost} points without finite coordinates left out",) if lost else ()
     return np.flatnonzero(good), told
+
+
+def _check_extent(points: FloatArray) -> None:
+    extent = float(np.abs(points).max(initial=0.0))
+    span = float(np.ptp(points, axis=0).max()) if len(points) else 0.0
+    if extent > LARGEST or 0.0 < span < SMALLEST:
+        size = extent if extent > LARGEST else span
+        raise InputError(f"an extent of {size:.3g} mm is no part's: --unit may be wrong")
 
 
 def _unit(path: Path, stated: str | None, asked: str | None) -> tuple[str, tuple[str, ...]]:

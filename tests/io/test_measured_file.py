@@ -81,6 +81,8 @@ def test_ply_of_points_is_a_cloud(tmp_path: Path) -> None:
         ("nan.xyz", "nan nan nan\n" * 9, "0 different points"),
         ("two.xyz", "0 0 0\n1 0 0\n", "2 different points among 2"),
         ("equal.xyz", "1 2 3\n" * 1000, "1 different points among 1000"),
+        ("huge.xyz", "1e300 0 0\n1 0 0\n0 1 0\n0 0 1\n", "an extent of 1e.300 mm is no part's"),
+        ("tiny.xyz", "1e-300 0 0\n0 0 0\n0 1e-300 0\n0 0 1e-300\n", "--unit may be wrong"),
     ],
 )
 def test_bad_clouds_give_one_line(tmp_path: Path, name: str, content: str, text: str) -> None:
