@@ -75,7 +75,7 @@ def figures(path: Path, *, recognised: bool) -> Row:
     truths = {face.name: face.truth for face in solid.facemap.faces}
     named = [name for feature in table.integral for name in feature.faces]
     expected = [name for name, truth in truths.items() if truth is not None]
-    amiss = len(set(expected) ^ set(named)) + len(named) - len(set(named))
+    amiss = len(set(expected) - set(named)) + len(named) - len(set(named))
     off = [abs(size - cad) for size, cad in _diameters(table, truths)]
     suggestions = annotate(table).suggestions
     first = suggestions[0] if suggestions else None
