@@ -113,11 +113,11 @@ def _exponent(cases: dict[str, Case]) -> list[str]:
     def exponent(name: str) -> str:
         return f"{math.log(_run(last, name) / _run(first, name)) / growth:.2f}"
 
-    return [
-        "",
+    sentence = (
         f"From {sizes[0]} to {sizes[-1]} time grows with the vertices to the power of "
-        f"{exponent('whole')}, that of libigl {exponent('libigl')}.",
-    ]
+        f"{exponent('whole')}, that of libigl {exponent('libigl')}."
+    )
+    return ["", sentence]
 
 
 def _other_modes(cases: dict[str, Case]) -> list[str]:

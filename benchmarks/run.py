@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """All of ``./gps bench``: measure, compare with the committed ratios, renew docs/performance.md.
 
-``python benchmarks/run.py CASE...`` measures some cases only, prints and compares them, and renews
-nothing. Exit code 1 if a stage has become slower against its peer.
+``python benchmarks/run.py CASE...`` measures some cases only and compares them; they take the place
+of the last run's, and ``--report`` renews the page from what there is. Exit code 1 if a stage has
+become slower against its peer.
 """
 
 from __future__ import annotations
@@ -40,7 +41,10 @@ FREECAD = {
 
 def main(only: list[str]) -> int:
     """Measure everything, or some cases; the exit code."""
-    figures: dict[str, Any] = {"date": time.strftime("%Y-%m-%d"), "cpu": cpu(), "cases": {}}
+    figures: dict[str, Any] = {"cases": {}, "density": None}
+    if only and FIGURES.exists():
+        figures = json.loads(FIGURES.read_text("utf-8"))
+    figures |= {"date": time.strftime("%Y-%m-%d"), "cpu": cpu()}
     for case in only or ROUNDS:
         rounds = ROUNDS[case]
         say(f"{case}: mesh")
@@ -58,13 +62,18 @@ def main(only: list[str]) -> int:
             found["other"] = answer([sys.executable, "benchmarks/measure.py", mesh, "0"])
         figures["cases"][case] = found
     if only:
-        figures["density"] = None
+        save(figures)
         print("\n".join(tables(figures)))
         return compare(all_ratios(figures))
     say("likelihood against scikit-learn")
     figures["density"] = answer([sys.executable, "benchmarks/density_peer.py"])
-    FIGURES.write_text(json.dumps(figures, indent=1), encoding="utf-8")
+    save(figures)
     return report(figures)
+
+
+def save(figures: dict[str, Any]) -> None:
+    """Keep what was measured for ``--report``."""
+    FIGURES.write_text(json.dumps(figures, indent=1), encoding="utf-8")
 
 
 def report(figures: dict[str, Any]) -> int:

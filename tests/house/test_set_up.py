@@ -46,9 +46,9 @@ def test_a_corpus_that_is_not_there_ends_with_1(tmp_path):
     assert ended.stderr == f"gps: no directory {tmp_path}/nowhere/step\n"
 
 
-def locked():
-    """(name, version, hashes) of each package in requirements.txt."""
-    text = (ROOT / "requirements.txt").read_text()
+def locked(file="requirements.txt"):
+    """(name, version, hashes) of each package in a requirements file."""
+    text = (ROOT / file).read_text()
     text = re.sub(r"^ *#.*\n", "", text, flags=re.MULTILINE).replace("\\\n", "")
     for line in text.splitlines():
         if line.strip():
@@ -57,8 +57,9 @@ def locked():
             yield name, version, options
 
 
-def test_every_requirement_is_pinned_and_hashed_and_names_no_registry():
-    packages = list(locked())
+@pytest.mark.parametrize("file", ["requirements.txt", "requirements-bench.txt"])
+def test_every_requirement_is_pinned_and_hashed_and_names_no_registry(file):
+    packages = list(locked(file))
     assert len({name for name, _, _ in packages}) == len(packages) > 0
     for name, version, options in packages:
         assert re.fullmatch(r"[a-z0-9-]+", name), name
@@ -67,9 +68,16 @@ def test_every_requirement_is_pinned_and_hashed_and_names_no_registry():
         assert all(re.fullmatch(r"--hash=sha256:[0-9a-f]{64}", o) for o in options), name
 
 
-def test_direct_requirements_are_locked_at_their_pins():
-    pins = re.findall(r"^([\w-]+==\S+)", (ROOT / "requirements.in").read_text(), re.MULTILINE)
-    assert set(pins) <= {f"{name}=={version}" for name, version, _ in locked()}
+@pytest.mark.parametrize("name", ["requirements", "requirements-bench"])
+def test_direct_requirements_are_locked_at_their_pins(name):
+    pins = re.findall(r"^([\w-]+==\S+)", (ROOT / f"{name}.in").read_text(), re.MULTILINE)
+    assert set(pins) <= {f"{package}=={version}" for package, version, _ in locked(f"{name}.txt")}
+
+
+def test_what_is_compared_with_leaves_the_environment_as_it_is():
+    pinned = {name: version for name, version, _ in locked()}
+    for name, version, _ in locked("requirements-bench.txt"):
+        assert pinned.get(name, version) == version
 
 
 def test_one_package_owns_the_module_ocp():
