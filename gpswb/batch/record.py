@@ -12,7 +12,7 @@ import fcntl
 import hashlib
 import json
 import os
-from collections.abc import Sequence
+from collections.abc import Iterator
 from pathlib import Path
 from types import TracebackType
 from typing import Any, Self
@@ -40,14 +40,25 @@ def decode(line: bytes) -> Entry | None:
     return entry if isinstance(entry, dict) else None
 
 
-def read_record(path: Path, header: Entry) -> tuple[list[Entry], int]:
-    """The entries of a record, and how many of its lines were damaged.
+def read_record(path: Path, header: Entry) -> Iterator[tuple[int, Entry | None]]:
+    """Yield the offset of each line, and its entry, or None where it is damaged.
 
     Raises:
         InputError: the record belongs to a run of other settings.
-        OutputError: it can't be read.
+        OSError: it can't be read.
     """
-    return _checked(path, _read(path), header)
+    offset = 0
+    with path.open("rb") as file:
+        for line in file:
+            entry = decode(line)
+            if entry is None or "schema" not in entry:
+                yield offset, entry
+            elif entry != header:
+                raise InputError(
+                    f"{path} belongs to a run of other settings or of another version; "
+                    "choose another directory, or the same settings"
+                )
+            offset += len(line)
 
 
 class Record:
@@ -55,10 +66,10 @@ class Record:
 
     Args:
         path: the file; made if it is missing.
-        header: what must be the same in every run that goes on with it.
+        header: what must be the same in every run that goes on with it; its first line.
 
     Raises:
-        InputError: the record belongs to a run of other settings, or another run has it open.
+        InputError: another run has it open.
         OutputError: it can't be written.
     """
 
@@ -73,9 +84,9 @@ class Record:
             raise OutputError(f"can't write {path}: {error.strerror or error}") from error
         try:
             self._drop_torn_tail(path)
-            found = _read(path)
-            self.entries, self.damaged = _checked(path, found, header)
-            if header not in found:
+            with path.open("rb") as file:
+                first = decode(file.readline())
+            if first is None or "schema" not in first:
                 self._write(header)
         except BaseException:
             os.close(self._file)
@@ -88,7 +99,6 @@ class Record:
             OSError: it can't be written.
         """
         self._write(entry)
-        self.entries.append(entry)
 
     def _write(self, entry: Entry) -> None:
         line = encode(entry)
@@ -99,10 +109,11 @@ class Record:
 
     def _drop_torn_tail(self, path: Path) -> None:
         """Cut a last line without its end: what is appended to it would be lost as well."""
-        content = path.read_bytes()
-        whole = content.rfind(b"\n") + 1
-        if whole < len(content):
-            os.ftruncate(self._file, whole)
+        end = 0
+        with path.open("rb") as file:
+            for line in file:
+                end += len(line) if line.endswith(b"\n") else 0
+        os.ftruncate(self._file, end)
 
     def __enter__(self) -> Self:
         return self
@@ -118,20 +129,3 @@ class Record:
 
 def _checksum(payload: bytes) -> bytes:
     return hashlib.sha256(payload).hexdigest()[:DIGITS].encode()
-
-
-def _read(path: Path) -> list[Entry | None]:
-    try:
-        return [decode(line) for line in path.read_bytes().splitlines(keepends=True)]
-    except OSError as error:
-        raise OutputError(f"can't read {path}: {error.strerror or error}") from error
-
-
-def _checked(path: Path, found: Sequence[Entry | None], header: Entry) -> tuple[list[Entry], int]:
-    good = [entry for entry in found if entry is not None]
-    if any("schema" in entry and entry != header for entry in good):
-        raise InputError(
-            f"{path} belongs to a run of other settings or of another version; "
-            "choose another directory, or the same settings"
-        )
-    return [entry for entry in good if "schema" not in entry], len(found) - len(good)

@@ -12,15 +12,17 @@ import hashlib
 import json
 import os
 import shutil
-from collections.abc import Callable, Iterable, Iterator, Sequence
-from contextlib import AbstractContextManager
+from collections import Counter
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from contextlib import AbstractContextManager, ExitStack
 from dataclasses import dataclass
 from pathlib import Path
+from typing import NamedTuple
 
 import gpswb
 from gpswb.batch.columns import document_columns
 from gpswb.batch.job import RESULTS, End, Job
-from gpswb.batch.record import Entry, Record, read_record
+from gpswb.batch.record import Entry, Record, decode, read_record
 from gpswb.batch.settings import Settings
 from gpswb.batch.source import Part
 from gpswb.batch.summary import write_summary
@@ -30,6 +32,9 @@ SCHEMA = "gpswb-record/1"
 
 RETRIED = ("crashed", "timeout", "memory")
 """Ends that another try, with other limits or on another machine, may turn into a result."""
+
+NAMED = 20
+"""Parts without a result that a summary names; its table has all of them."""
 
 Execute = Callable[[Iterable[Job]], Iterator[tuple[Job, End]]]
 """Examines jobs: yields each with its end, its results in its directory."""
@@ -59,11 +64,29 @@ class Shard:
 
 @dataclass(frozen=True)
 class Summary:
-    """What a run leaves: a row a part, the table's files, and lines of records found damaged."""
+    """What a run leaves.
 
-    rows: list[Entry]
+    Args:
+        ends: how many parts ended how.
+        lacking: the first entries of parts without a result.
+        files: names of the table's files.
+        damaged: lines of records that were found damaged.
+    """
+
+    ends: Counter[str]
+    lacking: list[Entry]
     files: list[str]
     damaged: int
+
+
+class _Known(NamedTuple):
+    """What is kept in memory of a part's last entry: there may be millions."""
+
+    record: Path
+    offset: int
+    status: str
+    size: int
+    stamp: str
 
 
 def run_batch(
@@ -95,35 +118,62 @@ def run_batch(
     try:
         out.mkdir(parents=True, exist_ok=True)
         with Record(out / shard.record, header) as record:
-            others, damaged = _other_records(out, shard, header)
+            known, _ = _read_all(out, shard, header)
             mine = [part for part in parts if part in shard]
-            known = {entry["part"]: entry for entry in (*others, *record.entries)}
-            waiting = [part for part in mine if not _done(part, known.get(part.name), out, retry)]
+            waiting = [p for p in mine if not _done(p, known.get(p.name), out, retry)]
+            del known
             with counted(len(mine), len(mine) - len(waiting)) as ended:
                 _examine(waiting, out, shard, record, execute, ended)
-            others, damaged = _other_records(out, shard, header)
-            known = {entry["part"]: entry for entry in (*others, *record.entries)}
-            rows = [known[part.name] for part in parts if part.name in known]
-            return Summary(rows, write_summary(out, rows), damaged + record.damaged)
+            return _summarise(parts, out, *_read_all(out, shard, header))
     except OSError as error:
         raise OutputError(f"can't write {out}: {error.strerror or error}") from error
 
 
-def _other_records(out: Path, shard: Shard, header: Entry) -> tuple[list[Entry], int]:
-    found = [
-        read_record(path, header)
-        for path in sorted(out.glob("record*.jsonl"))
-        if path.name != shard.record
-    ]
-    return [entry for entries, _ in found for entry in entries], sum(bad for _, bad in found)
+def _read_all(out: Path, shard: Shard, header: Entry) -> tuple[dict[str, _Known], int]:
+    """The last entry of each part in any record, this shard's last; and damaged lines."""
+    known: dict[str, _Known] = {}
+    damaged = 0
+    paths = sorted(out.glob("record*.jsonl"), key=lambda path: (path.name == shard.record, path))
+    for path in paths:
+        for offset, entry in read_record(path, header):
+            if entry is None:
+                damaged += 1
+            else:
+                said = (entry["status"], entry["bytes"], entry["stamp"])
+                known[entry["part"]] = _Known(path, offset, *said)
+    return known, damaged
 
 
-def _done(part: Part, entry: Entry | None, out: Path, retry: bool) -> bool:
-    if entry is None or (entry["bytes"], entry["stamp"]) != (part.size, part.stamp):
+def _done(part: Part, known: _Known | None, out: Path, retry: bool) -> bool:
+    if known is None or (known.size, known.stamp) != (part.size, part.stamp):
         return False
-    if entry["status"] == "done":
+    if known.status == "done":
         return (out / "parts" / part.name / "result.json").exists()
-    return not (retry and entry["status"] in RETRIED)
+    return not (retry and known.status in RETRIED)
+
+
+def _summarise(
+    parts: Sequence[Part], out: Path, known: Mapping[str, _Known], damaged: int
+) -> Summary:
+    ends: Counter[str] = Counter()
+    lacking: list[Entry] = []
+
+    def rows() -> Iterator[Entry]:
+        with ExitStack() as stack:
+            paths = {one.record for one in known.values()}
+            files = {path: stack.enter_context(path.open("rb")) for path in paths}
+            for part in parts:
+                if not (one := known.get(part.name)):
+                    continue
+                files[one.record].seek(one.offset)
+                entry = decode(files[one.record].readline())
+                assert entry is not None
+                ends[one.status] += 1
+                if one.status != "done" and len(lacking) < NAMED:
+                    lacking.append(entry)
+                yield entry
+
+    return Summary(ends, lacking, write_summary(out, rows()), damaged)
 
 
 def _examine(

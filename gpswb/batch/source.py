@@ -25,7 +25,7 @@ CHUNK = 2**20
 """Bytes that are fetched at once."""
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, slots=True)
 class Part:
     """A file to examine.
 

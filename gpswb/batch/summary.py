@@ -4,15 +4,19 @@
 from __future__ import annotations
 
 import csv
+import itertools
 import tempfile
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import Any
 
 from gpswb.batch.columns import COLUMNS
 
+CHUNK = 10_000
+"""Rows that are in memory at once: there may be millions."""
 
-def write_summary(directory: Path, rows: Sequence[Mapping[str, Any]]) -> list[str]:
+
+def write_summary(directory: Path, rows: Iterable[Mapping[str, Any]]) -> list[str]:
     """Write the table, each file whole or not at all; the names of the files.
 
     Parquet needs pyarrow; without it there is the CSV alone.
@@ -20,29 +24,38 @@ def write_summary(directory: Path, rows: Sequence[Mapping[str, Any]]) -> list[st
     Raises:
         OSError: a file can't be written.
     """
-    _replace(directory / "summary.csv", lambda draft: _write_csv(draft, rows))
+    with tempfile.TemporaryDirectory(prefix=".summary.", dir=directory) as scratch:
+        draft = Path(scratch)
+        with (draft / "summary.csv").open("w", newline="", encoding="utf-8") as file:
+            parquet = _parquet(draft / "summary.parquet")
+            table = csv.writer(file, lineterminator="\n")
+            table.writerow(COLUMNS)
+            waiting = iter(rows)
+            while chunk := list(itertools.islice(waiting, CHUNK)):
+                for row in chunk:
+                    table.writerow("" if (v := row.get(key)) is None else v for key in COLUMNS)
+                if parquet:
+                    parquet.write_batch(_batch(chunk, parquet.schema))
+            if parquet:
+                parquet.close()
+        names = ["summary.parquet", "summary.csv"] if parquet else ["summary.csv"]
+        for name in names:
+            (draft / name).replace(directory / name)
+    return names
+
+
+def _parquet(path: Path) -> Any:
+    """A writer of the table, None without pyarrow."""
     try:
         import pyarrow as pa
         import pyarrow.parquet as pq
     except ImportError:
-        return ["summary.csv"]
+        return None
     kinds = {str: pa.string(), float: pa.float64(), int: pa.int64(), bool: pa.bool_()}
-    schema = pa.schema([(name, kinds[kind]) for name, kind in COLUMNS.items()])
-    table = pa.Table.from_pylist(list(rows), schema)
-    _replace(directory / "summary.parquet", lambda draft: pq.write_table(table, draft))
-    return ["summary.parquet", "summary.csv"]
+    return pq.ParquetWriter(path, pa.schema([(name, kinds[k]) for name, k in COLUMNS.items()]))
 
 
-def _replace(path: Path, write: Callable[[Path], None]) -> None:
-    with tempfile.TemporaryDirectory(prefix=f".{path.name}.", dir=path.parent) as scratch:
-        draft = Path(scratch) / path.name
-        write(draft)
-        draft.replace(path)
+def _batch(rows: list[Mapping[str, Any]], schema: Any) -> Any:
+    import pyarrow as pa
 
-
-def _write_csv(path: Path, rows: Sequence[Mapping[str, Any]]) -> None:
-    with path.open("w", newline="", encoding="utf-8") as file:
-        table = csv.writer(file, lineterminator="\n")
-        table.writerow(COLUMNS)
-        for row in rows:
-            table.writerow("" if (value := row.get(key)) is None else value for key in COLUMNS)
+    return pa.RecordBatch.from_pylist(rows, schema)

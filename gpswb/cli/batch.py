@@ -5,7 +5,6 @@ from __future__ import annotations
 
 import argparse
 import re
-from collections import Counter
 from collections.abc import Iterable, Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -23,10 +22,6 @@ from gpswb.errors import InputError
 if TYPE_CHECKING:
     from gpswb.batch.job import End, Job
     from gpswb.batch.run import Summary
-
-NAMED = 20
-"""Parts without a result that are named on the terminal; the table has all of them."""
-
 
 AMBIGUOUS = (".txt", ".csv")
 """Endings of point clouds that in a directory mostly are something else."""
@@ -112,13 +107,12 @@ def run(args: argparse.Namespace) -> int:
 
 def lines(summary: Summary, parts: int) -> list[str]:
     """What is printed: parts without a result, how many ended how."""
-    lacking = [row for row in summary.rows if row["status"] != "done"]
-    said = [f"{r['part']}: {r['status']}: {r['message']}" for r in lacking[:NAMED]]
-    if len(lacking) > NAMED:
-        said.append(f"... and {len(lacking) - NAMED} more without a result")
+    said = [f"{r['part']}: {r['status']}: {r['message']}" for r in summary.lacking]
+    ended, done = summary.ends.total(), summary.ends["done"]
+    if ended - done > len(said):
+        said.append(f"... and {ended - done - len(said)} more without a result")
     if summary.damaged:
         said.append(f"{summary.damaged} damaged lines in the record: their parts were done again")
-    ends = Counter(row["status"] for row in summary.rows)
-    counts = ", ".join(f"{n} {status}" for status, n in ends.most_common())
-    said.append(f"{len(summary.rows)} of {parts} parts: {counts}")
+    counts = ", ".join(f"{n} {status}" for status, n in summary.ends.most_common())
+    said.append(f"{ended} of {parts} parts: {counts}")
     return [one_line(line) for line in said]
