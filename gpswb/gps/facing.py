@@ -13,6 +13,8 @@ from gpswb.gps.gps_feature import GpsFeature
 from gpswb.gps.twists import perpendiculars
 
 _SAMPLES = 200
+_BLOCK = 4096
+"""Triangles that are tested at once: bounds the memory."""
 _PLASTIC = 1.32471795724474602596
 """Root of x³ = x + 1: its powers give the additive sequence that fills a square most evenly."""
 
@@ -71,8 +73,14 @@ def inside(points: FloatArray, triangles: FloatArray) -> npt.NDArray[np.bool_]:
     low, high = points.min(axis=0), points.max(axis=0)
     reach = (triangles.min(axis=1) <= high).all(axis=1) & (triangles.max(axis=1) >= low).all(axis=1)
     triangles = triangles[reach]
-    if not len(triangles):
-        return np.zeros(len(points), dtype=np.bool_)
+    found = np.zeros(len(points), dtype=np.bool_)
+    for start in range(0, len(triangles), _BLOCK):
+        waiting = np.flatnonzero(~found)
+        found[waiting] = _in_any(points[waiting], triangles[start : start + _BLOCK])
+    return found
+
+
+def _in_any(points: FloatArray, triangles: FloatArray) -> npt.NDArray[np.bool_]:
     side = []
     for i in range(3):
         start, along = triangles[:, i], triangles[:, (i + 1) % 3] - triangles[:, i]
@@ -80,4 +88,5 @@ def inside(points: FloatArray, triangles: FloatArray) -> npt.NDArray[np.bool_]:
         side.append(along[:, 0] * step[..., 1] - along[:, 1] * step[..., 0])
     signs = np.array(side)
     within = (signs >= 0).all(axis=0) | (signs <= 0).all(axis=0)
+    within &= signs.any(axis=0)  # a facet that is but a point holds nothing
     return np.asarray(np.any(within, axis=1), dtype=np.bool_)
