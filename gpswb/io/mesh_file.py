@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import importlib.util
+import zipfile
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
@@ -16,6 +17,10 @@ from gpswb.errors import InputError
 
 SUFFIXES = (".stl", ".ply", ".off", ".obj", ".3mf")
 """Endings, in lower case, that `parse_mesh` takes."""
+
+
+MOST_BYTES = 2_000_000_000
+"""Most that a 3MF may unpack to."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -46,6 +51,8 @@ def parse_mesh(path: Path) -> Parsed:
         raise InputError(f"can't read {path}: {error.strerror or error}") from error
     with file:
         try:
+            if path.suffix.lower() == ".3mf":
+                _check_archive(file)
             parsed = parse(file, path.suffix.lower()[1:])
         except Exception as error:  # the parsers raise whatever the bytes make them
             raise InputError(f"{path} is not a readable {path.suffix[1:].upper()} mesh") from error
@@ -55,6 +62,15 @@ def parse_mesh(path: Path) -> Parsed:
         except ValueError as error:
             raise InputError(f"{path}: {error}") from error
     return parsed
+
+
+def _check_archive(file: BinaryIO) -> None:
+    """A 3MF is a zip archive: a small one could unpack to more than fits in memory."""
+    with zipfile.ZipFile(file) as archive:
+        size = sum(member.file_size for member in archive.infolist())
+    if size > MOST_BYTES:
+        raise ValueError(f"unpacks to {size} bytes")
+    file.seek(0)
 
 
 def _parser() -> Callable[[BinaryIO, str], Parsed]:
