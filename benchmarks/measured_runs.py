@@ -73,12 +73,23 @@ def run(solid: Solid, method: Method = "hybrid", limit: float = 900.0) -> Run | 
     return Run(facts=facts, **arrays) if facts else None
 
 
-def _key(solid: Solid, method: Method, limit: float) -> str:
-    """Name of a run: of the code that partitions, the mesh and the options."""
-    said = hashlib.sha256(f"{method} {limit} {solid.pointmap is not None}".encode())
+def _code() -> bytes:
+    """Digest of the code that partitions."""
+    said = hashlib.sha256()
     package = Path(gpswb.__file__).parent
     for path in sorted([*package.glob("core/**/*.py"), *package.glob("scan/*.py")]):
         said.update(path.read_bytes())
+    return said.digest()
+
+
+CODE = _code()
+"""Taken once, as the code is: it may change on disk while a long run goes on."""
+
+
+def _key(solid: Solid, method: Method, limit: float) -> str:
+    """Name of a run: of the code that partitions, the mesh and the options."""
+    said = hashlib.sha256(f"{method} {limit} {solid.pointmap is not None}".encode())
+    said.update(CODE)
     said.update(solid.mesh.vertices.tobytes())
     said.update(solid.mesh.triangles.tobytes())
     return said.hexdigest()[:24]
