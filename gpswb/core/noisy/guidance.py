@@ -8,8 +8,12 @@ from scipy.sparse import coo_matrix, csr_matrix
 
 from gpswb.core.mesh import FloatArray, Mesh
 
-SWEEPS = 5
+SWEEPS = 10
 """Rounds of averaging: each reaches one facet further."""
+
+COMMON = 0.4
+"""Share of a normal's variance that a round leaves at least: neighbours have vertices in common, so
+that their normals are not independent."""
 
 BEND = 0.25
 """Turn (rad) that neighbours on one smooth surface may have: coarse meshes turn by 0.26 rad."""
@@ -54,7 +58,8 @@ def guidance_normals(mesh: Mesh, sigma: float) -> FloatArray:
         usable = length > 1e-12
         normal = np.where(usable[:, None], total / np.maximum(length, 1e-300)[:, None], normal)
         sums = np.maximum(np.bincount(row, share, m), 1e-300)
-        variance = np.bincount(row, share**2 * variance[col], m) / sums**2
+        mixed = np.bincount(row, share**2 * variance[col], m) / sums**2
+        variance = np.maximum(mixed, COMMON * variance)
         weight = 1.0 / (variance + BEND**2)
     return normal
 

@@ -17,7 +17,7 @@ SMOOTH = 0.5
 """Mean turn (rad) of the denoised normals across a border, at most, for one surface to continue
 there: coarse meshes turn by 0.26 rad, averaging lowers what creases turn by."""
 
-REGION = 12.0
+REGION = 24.0
 """Price of a region of its own, in the unit of chi-square (twice nats), besides its unknowns."""
 
 

@@ -37,6 +37,10 @@ SAMPLE = 250
 EXCESS = 1.2
 """Mean squared distance, in sigma², that an imperfect sigma and small form deviations may leave."""
 
+SOUND = 1.1
+"""Mean squared distance, in sigma², from which a torus may do better: sigma is known to five
+percent."""
+
 SURE = 3.0
 """Standard deviations of chi-square beyond which a surface is rejected."""
 
@@ -70,6 +74,12 @@ class Model:
         freedom = max(self.count - UNKNOWNS[self.kind], 1)
         return self.chi <= EXCESS + SURE * float(np.sqrt(2.0 / freedom))
 
+    @property
+    def doubtful(self) -> bool:
+        """Whether the distances are so much as a little larger than those of noise."""
+        freedom = max(self.count - UNKNOWNS[self.kind], 1)
+        return self.chi > SOUND + float(np.sqrt(2.0 / freedom))
+
 
 def fit_models(
     noisy: NoisyMesh,
@@ -82,7 +92,7 @@ def fit_models(
     Args:
         noisy: the mesh and its noise.
         groups: facets of each group.
-        kinds: the kinds to try, simple ones first; a torus is only tried where those fail.
+        kinds: the kinds to try, simple ones first; a torus is only tried where those are doubtful.
         sample: vertices and facets used of each group.
 
     Returns:
@@ -106,19 +116,18 @@ def _fit_chunk(
 ) -> None:
     mesh, normals = noisy.mesh, noisy.normals
     facets = [groups[i][spread(len(groups[i]), sample)] for i in chunk]
-    vertices = [np.unique(mesh.triangles[groups[i]]) for i in chunk]
-    vertices = [v[spread(len(v), sample)] for v in vertices]
-    used = np.array([len(v) for v in vertices])
+    weighed = [vertex_weights(noisy, groups[i], sample) for i in chunk]
+    used = np.array([len(v) for v, _ in weighed])
     b, n, f = len(chunk), int(used.max()), max(len(x) for x in facets)
     points, weights = np.zeros((b, n, 3)), np.zeros((b, n))
     centres, turned = np.zeros((b, f, 3)), np.zeros((b, f, 3))
     centre, scale = np.zeros((b, 3)), np.ones(b)
-    for row, (v, x) in enumerate(zip(vertices, facets, strict=True)):
+    for row, ((v, weight), x) in enumerate(zip(weighed, facets, strict=True)):
         p = mesh.vertices[v]
         centre[row] = p.mean(axis=0)
         scale[row] = max(float(np.abs(p - centre[row]).max()), 1e-300)
         points[row, : len(v)] = (p - centre[row]) / scale[row]
-        weights[row, : len(v)] = 1.0
+        weights[row, : len(v)] = weight
         area = mesh.areas[x]
         centres[row, : len(x)] = (mesh.centroids[x] - centre[row]) / scale[row]
         root = np.sqrt(area / max(float(area.sum()), 1e-300))
@@ -127,13 +136,14 @@ def _fit_chunk(
     for kind in kinds:
         if kind == "torus":
             known = [best[i] for i in chunk]
-            open_rows = np.flatnonzero([m is None or not m.explains for m in known])
-        enough = open_rows[used[open_rows] > UNKNOWNS[kind]]
+            open_rows = np.flatnonzero([m is None or m.doubtful for m in known])
+        least = UNKNOWNS[kind] + 1 if kind == "plane" else 2 * UNKNOWNS[kind]
+        enough = open_rows[used[open_rows] >= least]
         if not len(enough):
             continue
         p, w, c, t = points[enough], weights[enough], centres[enough], turned[enough]
         local = fit_patches(kind, p, w, c, t)
-        _weigh(kind, local, p, w, c, t, centre, scale, enough, used, noisy.sigma, chunk, best)
+        _weigh(kind, local, p, w, c, t, centre, scale, enough, noisy.sigma, chunk, best)
 
 
 def _weigh(
@@ -146,7 +156,6 @@ def _weigh(
     centre: FloatArray,
     scale: FloatArray,
     rows: IntArray,
-    used: IntArray,
     sigma: float,
     chunk: Sequence[int],
     best: list[Model | None],
@@ -162,7 +171,7 @@ def _weigh(
     for i, row in enumerate(rows):
         if not np.isfinite(world[i]).all() or abs(agreement[i]) < AGREEMENT:
             continue
-        n = int(used[row])
+        n = int(round(weights[i].sum()))
         unknowns = UNKNOWNS[kind]
         chi = float(rss[i]) / max(n - unknowns, 1)
         cost = float(rss[i]) + price(kind, n)
@@ -171,23 +180,42 @@ def _weigh(
             best[chunk[row]] = Model(kind, world[i], float(np.sign(agreement[i])), cost, chi, n)
 
 
-def refit(noisy: NoisyMesh, model: Model, facets: IntArray, sample: int = SAMPLE) -> Model:
+def refit(noisy: NoisyMesh, model: Model, facets: IntArray) -> Model:
     """The same kind of surface fitted to other facets, from where it is.
 
     Fitted to a sample of the vertices, but judged by all of them.
     """
-    points = noisy.mesh.vertices[noisy.vertices_of(facets)]
-    p = points[spread(len(points), sample)]
+    vertices, weight = vertex_weights(noisy, facets)
+    points = noisy.mesh.vertices[vertices]
+    some = spread(len(points), SAMPLE)
+    p, w = points[some], weight[some]
     centre = p.mean(axis=0)
     scale = max(float(np.abs(p - centre).max()), 1e-300)
     local = to_local(model.surface[None], centre[None], np.array([scale]), model.kind)
-    better = fit(model.kind, local, (p - centre)[None] / scale, np.ones((1, len(p))))
+    better = fit(model.kind, local, (p - centre)[None] / scale, w[None])
     surface = to_world(better, centre[None], np.array([scale]), model.kind)[0]
     d = distance(model.kind, surface[None], points[None])[0][0]
-    rss = float((d**2).sum()) / noisy.sigma**2
-    n = len(points)
+    rss = float(weight @ d**2) / noisy.sigma**2
+    n = int(round(float(weight.sum())))
     chi = rss / max(n - UNKNOWNS[model.kind], 1)
     return Model(model.kind, surface, model.side, rss + price(model.kind, n), chi, n)
+
+
+def vertex_weights(
+    noisy: NoisyMesh, facets: IntArray, most: int | None = None
+) -> tuple[IntArray, FloatArray]:
+    """The vertices of a region, at most so many, and their weights, at most 1.
+
+    Where the mesh is denser than on most of the region, vertices count less, by the area that is
+    theirs: a fillet too small to be told from the face beside it has many vertices on little area.
+    """
+    corner = noisy.mesh.triangles[facets].ravel()
+    vertices, which = np.unique(corner, return_inverse=True)
+    area = np.bincount(which.reshape(-1), np.repeat(noisy.mesh.areas[facets], 3))
+    if most is not None:
+        some = spread(len(vertices), most)
+        vertices, area = vertices[some], area[some]
+    return vertices, np.minimum(area / max(float(area.mean()), 1e-300), 1.0)
 
 
 def price(kind: Kind, count: int) -> float:
