@@ -10,6 +10,7 @@ cut finds the best such move (Boykov, Veksler, Zabih, 2001).
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 
 import numpy as np
 from scipy.sparse import coo_matrix, csr_matrix
@@ -30,6 +31,13 @@ CREASED = 0.25
 CREASE_TURN = 0.35
 """Turn (rad) of the denoised normals at which two thirds of what a crease saves are saved."""
 
+JUMP = 4.0
+"""Factor by which that price grows where tangent surfaces are a sigma apart: they are known to about
+a third of a sigma where they meet, and a border off by that is unlikely by half a nat."""
+
+PARALLEL = 0.8
+"""Cosine from which surfaces count as tangent to some degree."""
+
 OUTSIDE = 4.0
 """Distance in sigma at which a vertex can't get less likely: it is not of this surface."""
 
@@ -48,14 +56,57 @@ def facet_costs(noisy: NoisyMesh, model: Model, facets: IntArray) -> FloatArray:
     A vertex has about two facets of its own: a facet carries half of its corners' mean, so that the
     sum over facets is the vertices' log-likelihood.
     """
+    return _placed(noisy, model, facets).cost
+
+
+@dataclass(frozen=True, eq=False)
+class _Placed:
+    """Facets seen from one surface each.
+
+    Args:
+        cost: (k,) nats for each to lie on it.
+        height: (k, 3) signed distances of the corners, in sigma, outside positive.
+        normal: (k, 3) outward normal of the surface there; 0 where the facet has no surface.
+    """
+
+    cost: FloatArray
+    height: FloatArray
+    normal: FloatArray
+
+    def take(self, rows: IntArray | BoolArray) -> _Placed:
+        """Some of them."""
+        return _Placed(self.cost[rows], self.height[rows], self.normal[rows])
+
+    def put(self, rows: IntArray, other: _Placed) -> None:
+        """Replace some of them."""
+        self.cost[rows] = other.cost
+        self.height[rows] = other.height
+        self.normal[rows] = other.normal
+
+
+def _placed(noisy: NoisyMesh, model: Model, facets: IntArray) -> _Placed:
     mesh = noisy.mesh
     corners = mesh.corners[facets].reshape(1, -1, 3)
     d = distance(model.kind, model.surface[None], corners)[0].reshape(-1, 3) / noisy.sigma
-    cost: FloatArray = 0.25 * np.minimum(d**2, OUTSIDE**2).mean(axis=1)
+    cost = 0.25 * np.minimum(d**2, OUTSIDE**2).mean(axis=1)
     toward = distance(model.kind, model.surface[None], mesh.centroids[facets][None])[1][0]
-    cosine = model.side * np.einsum("ik,ik->i", toward, noisy.normals[facets])
+    toward = model.side * toward
+    cosine = np.einsum("ik,ik->i", toward, noisy.normals[facets])
     cost[cosine < np.cos(TILT)] = 0.25 * OUTSIDE**2
-    return cost
+    return _Placed(cost, model.side * d, toward)
+
+
+def _jump(mine: _Placed, other: _Placed) -> FloatArray:
+    """(k,) how much more a border costs where two surfaces that are nearly parallel lie apart.
+
+    Faces meet: the border of two tangent surfaces is where they touch. Both distances are of the
+    same vertices, so that their difference is free of noise.
+    """
+    gap = np.abs(mine.height - other.height).min(axis=1)
+    cosine = np.einsum("ik,ik->i", mine.normal, other.normal)
+    parallel = np.clip((cosine - PARALLEL) / (1.0 - PARALLEL), 0.0, 1.0)
+    jump: FloatArray = JUMP * np.minimum(gap, 2.0) ** 2 * parallel
+    return jump
 
 
 def border_prices(noisy: NoisyMesh) -> FloatArray:
@@ -83,29 +134,32 @@ def expand(noisy: NoisyMesh, models: Sequence[Model], label: IntArray, sweeps: i
     label = label.copy()
     graph = noisy.graph
     price = border_prices(noisy)
-    own = np.full(len(label), 0.25 * OUTSIDE**2)
+    m = len(label)
+    own = _Placed(np.full(m, 0.25 * OUTSIDE**2), np.zeros((m, 3)), np.zeros((m, 3)))
     order = np.argsort(label, kind="stable")
     bounds = np.searchsorted(label[order], np.arange(len(models) + 1))
     for i, model in enumerate(models):
         facets = order[bounds[i] : bounds[i + 1]]
         if len(facets):
-            own[facets] = facet_costs(noisy, model, facets)
+            own.put(facets, _placed(noisy, model, facets))
     for _ in range(sweeps):
         changed = 0
         for i, model in enumerate(models):
             inside = np.flatnonzero(label == i)
             if not len(inside):
                 continue
-            active = _ring(graph, inside, len(label))
-            cost = facet_costs(noisy, model, active)
+            active = _ring(graph, inside, m)
+            placed = _placed(noisy, model, active)
             # What is as unlikely as can be isn't taken, however short the border gets.
-            possible = cost < 0.25 * OUTSIDE**2
-            active, cost = active[possible], cost[possible]
+            possible = placed.cost < 0.25 * OUTSIDE**2
+            active, placed = active[possible], placed.take(possible)
             if not len(active):
                 continue
-            taken = _cut(graph, price, label, i, active, own[active], cost)
+            before = own.take(active)
+            jump = 1.0 + _jump(before, placed)
+            taken = _cut(graph, price, label, i, active, before.cost, placed.cost, jump)
             label[active[taken]] = i
-            own[active[taken]] = cost[taken]
+            own.put(active[taken], placed.take(taken))
             changed += int(taken.sum())
         if changed < 0.001 * len(label):
             break
@@ -135,8 +189,12 @@ def _cut(
     active: IntArray,
     stay: FloatArray,
     move: FloatArray,
+    jump: FloatArray,
 ) -> BoolArray:
-    """(k,) which active facets take the new label in the best expansion move."""
+    """(k,) which active facets take the new label in the best expansion move.
+
+    ``jump`` (k,) multiplies the price of a border between a facet's own and the new label.
+    """
     k = len(active)
     slot = np.full(len(label), -1, dtype=np.int64)
     slot[active] = np.arange(k)
@@ -147,16 +205,16 @@ def _cut(
     for mine, other in ((sa, b), (sb, a)):
         rim = (mine >= 0) & (slot[other] < 0)
         at = mine[rim]
-        other_label = label[other[rim]]
-        zero += np.bincount(at, price[rim] * (label[active[at]] != other_label), k)
-        one += np.bincount(at, price[rim] * (other_label != new), k)
+        own, beyond, w = label[active[at]], label[other[rim]], price[rim]
+        zero += np.bincount(at, w * (own != beyond) * np.where(beyond == new, jump[at], 1.0), k)
+        one += np.bincount(at, w * (beyond != new) * np.where(beyond == own, jump[at], 1.0), k)
     both = (sa >= 0) & (sb >= 0)
     p, q, w = sa[both], sb[both], price[both]
     differ = w * (label[active[p]] != label[active[q]])
-    # E = A + (C - A) x_p + (D - C) x_q + (B + C - A - D)(1 - x_p) x_q with B = C = w, D = 0.
-    one += np.bincount(p, w - differ, k)
-    zero += np.bincount(q, w, k)
-    link = 2.0 * w - differ
+    # E = A + (C - A) x_p + (D - C) x_q + (B + C - A - D)(1 - x_p) x_q with D = 0.
+    one += np.bincount(p, w * jump[q] - differ, k)
+    zero += np.bincount(q, w * jump[q], k)
+    link = w * jump[p] + w * jump[q] - differ
     least = np.minimum(zero, one)
     zero, one = zero - least, one - least
     # Source side: x = 0. Cutting p from the source costs x_p = 1; p -> q is cut for x_p=0, x_q=1.

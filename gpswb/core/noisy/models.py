@@ -34,12 +34,8 @@ the sphere has fewer unknowns, but rings are cones: a sphere has to fit better."
 SAMPLE = 250
 """Vertices of a group that a surface is fitted to: parameters are then known to sigma / 16."""
 
-EXCESS = 1.2
+EXCESS = 1.1
 """Mean squared distance, in sigma², that an imperfect sigma and small form deviations may leave."""
-
-SOUND = 1.1
-"""Mean squared distance, in sigma², from which a torus may do better: sigma is known to five
-percent."""
 
 SURE = 3.0
 """Standard deviations of chi-square beyond which a surface is rejected."""
@@ -74,12 +70,6 @@ class Model:
         freedom = max(self.count - UNKNOWNS[self.kind], 1)
         return self.chi <= EXCESS + SURE * float(np.sqrt(2.0 / freedom))
 
-    @property
-    def doubtful(self) -> bool:
-        """Whether the distances are so much as a little larger than those of noise."""
-        freedom = max(self.count - UNKNOWNS[self.kind], 1)
-        return self.chi > SOUND + float(np.sqrt(2.0 / freedom))
-
 
 def fit_models(
     noisy: NoisyMesh,
@@ -92,7 +82,7 @@ def fit_models(
     Args:
         noisy: the mesh and its noise.
         groups: facets of each group.
-        kinds: the kinds to try, simple ones first; a torus is only tried where those are doubtful.
+        kinds: the kinds to try, simple ones first; a torus is only tried where those fail.
         sample: vertices and facets used of each group.
 
     Returns:
@@ -136,7 +126,7 @@ def _fit_chunk(
     for kind in kinds:
         if kind == "torus":
             known = [best[i] for i in chunk]
-            open_rows = np.flatnonzero([m is None or m.doubtful for m in known])
+            open_rows = np.flatnonzero([m is None or not m.explains for m in known])
         least = UNKNOWNS[kind] + 1 if kind == "plane" else 2 * UNKNOWNS[kind]
         enough = open_rows[used[open_rows] >= least]
         if not len(enough):
