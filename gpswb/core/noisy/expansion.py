@@ -32,8 +32,8 @@ CREASE_TURN = 0.35
 """Turn (rad) of the denoised normals at which two thirds of what a crease saves are saved."""
 
 JUMP = 4.0
-"""Factor by which that price grows where tangent surfaces are a sigma apart: they are known to about
-a third of a sigma where they meet, and a border off by that is unlikely by half a nat."""
+"""Factor by which that price grows where tangent surfaces are a sigma apart: where they meet they
+are known to about a third of a sigma, and to be off by that is unlikely by half a nat."""
 
 PARALLEL = 0.8
 """Cosine from which surfaces count as tangent to some degree."""

@@ -22,7 +22,7 @@ more than a coarse mesh turns by; patches stop there, too."""
 SEEDS = 600
 """Patches of one size at most."""
 
-OVERLAP = 6
+OVERLAP = 4
 """Patches that a facet lies in, on average: a seed at a border fails, the next may not."""
 
 LEAST = 6

@@ -31,7 +31,7 @@ COUNTED: dict[Kind, int] = {**UNKNOWNS, "sphere": UNKNOWNS["cone"]}
 """Unknowns that a surface is charged for. A narrow ring lies on a sphere as well as on a cone, and
 the sphere has fewer unknowns, but rings are cones: a sphere has to fit better."""
 
-SAMPLE = 250
+SAMPLE = 200
 """Vertices of a group that a surface is fitted to: parameters are then known to sigma / 16."""
 
 EXCESS = 1.1
@@ -74,16 +74,16 @@ class Model:
 def fit_models(
     noisy: NoisyMesh,
     groups: Sequence[IntArray],
-    kinds: Sequence[Kind] = KINDS,
     sample: int = SAMPLE,
+    thorough: bool = False,
 ) -> list[Model | None]:
     """The likeliest surface of each group of facets.
 
     Args:
         noisy: the mesh and its noise.
         groups: facets of each group.
-        kinds: the kinds to try, simple ones first; a torus is only tried where those fail.
         sample: vertices and facets used of each group.
+        thorough: try every kind, also where a plane or cylinder explains the group.
 
     Returns:
         One model a group; None where no kind has an acceptable surface.
@@ -92,7 +92,7 @@ def fit_models(
     by_size = sorted(range(len(groups)), key=lambda i: len(groups[i]))
     for start in range(0, len(groups), 64):
         chunk = by_size[start : start + 64]
-        _fit_chunk(noisy, groups, chunk, kinds, sample, best)
+        _fit_chunk(noisy, groups, chunk, sample, thorough, best)
     return best
 
 
@@ -100,8 +100,8 @@ def _fit_chunk(
     noisy: NoisyMesh,
     groups: Sequence[IntArray],
     chunk: Sequence[int],
-    kinds: Sequence[Kind],
     sample: int,
+    thorough: bool,
     best: list[Model | None],
 ) -> None:
     mesh, normals = noisy.mesh, noisy.normals
@@ -123,8 +123,8 @@ def _fit_chunk(
         root = np.sqrt(area / max(float(area.sum()), 1e-300))
         turned[row, : len(x)] = normals[x] * root[:, None]
     open_rows = np.arange(b)
-    for kind in kinds:
-        if kind == "torus":
+    for kind in KINDS:
+        if kind in ("cone", "sphere", "torus") and not thorough:
             known = [best[i] for i in chunk]
             open_rows = np.flatnonzero([m is None or not m.explains for m in known])
         least = UNKNOWNS[kind] + 1 if kind == "plane" else 2 * UNKNOWNS[kind]
@@ -161,7 +161,7 @@ def _weigh(
     for i, row in enumerate(rows):
         if not np.isfinite(world[i]).all() or abs(agreement[i]) < AGREEMENT:
             continue
-        n = int(round(weights[i].sum()))
+        n = round(float(weights[i].sum()))
         unknowns = UNKNOWNS[kind]
         chi = float(rss[i]) / max(n - unknowns, 1)
         cost = float(rss[i]) + price(kind, n)
@@ -186,7 +186,7 @@ def refit(noisy: NoisyMesh, model: Model, facets: IntArray) -> Model:
     surface = to_world(better, centre[None], np.array([scale]), model.kind)[0]
     d = distance(model.kind, surface[None], points[None])[0][0]
     rss = float(weight @ d**2) / noisy.sigma**2
-    n = int(round(float(weight.sum())))
+    n = round(float(weight.sum()))
     chi = rss / max(n - UNKNOWNS[model.kind], 1)
     return Model(model.kind, surface, model.side, rss + price(model.kind, n), chi, n)
 

@@ -44,7 +44,7 @@ def segment(mesh: Mesh, sigma: float) -> tuple[list[Grown], IntArray]:
         label = drop_models(noisy, models, label)
     label = expand(noisy, models, label)
     label = absorb(noisy, models, label)
-    models, label = _refitted(noisy, models, label, FINAL)
+    models, label = _refitted(noisy, models, label, last=True)
     groups = facets_of(label, len(models))
     surfaces = [Grown(m.kind, m.surface, g) for m, g in zip(models, groups, strict=True)]
     unexplained = label < 0
@@ -54,14 +54,15 @@ def segment(mesh: Mesh, sigma: float) -> tuple[list[Grown], IntArray]:
 
 
 def _refitted(
-    noisy: NoisyMesh, models: list[Model], label: IntArray, sample: int = SAMPLE
+    noisy: NoisyMesh, models: list[Model], label: IntArray, last: bool = False
 ) -> tuple[list[Model], IntArray]:
     """The likeliest surface of each region, of any kind; labels numbered anew."""
     kept = [g for g in facets_of(label, len(models)) if len(g)]
     cores = [_core(noisy, models[label[g[0]]], g) for g in kept]
+    fitted = fit_models(noisy, cores, FINAL if last else SAMPLE, thorough=last)
     out = np.full_like(label, -1)
     found: list[Model] = []
-    for facets, model in zip(kept, fit_models(noisy, cores, sample=sample), strict=True):
+    for facets, model in zip(kept, fitted, strict=True):
         if model is not None:
             out[facets] = len(found)
             found.append(model)
