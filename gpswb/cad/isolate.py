@@ -146,10 +146,16 @@ def job_progress() -> Callable[[str, float], None]:
 
 
 def _python() -> str:
-    """The interpreter: inside FreeCAD's window sys.executable may be FreeCAD itself."""
+    """The interpreter. Within FreeCAD sys.executable may be FreeCAD itself; its own Python then
+    stands where its libraries do, and the first on PATH may be quite another."""
     if Path(sys.executable or "").name.startswith("python"):
         return sys.executable
     version = f"python{sys.version_info.major}.{sys.version_info.minor}"
+    folders = [Path(sys.base_prefix, "bin"), Path(sys.base_prefix), Path(sys.executable).parent]
+    for name in (version, "python3", "python", "python.exe"):
+        for folder in folders:
+            if (folder / name).is_file():
+                return str(folder / name)
     return shutil.which(version) or shutil.which("python3") or sys.executable
 
 

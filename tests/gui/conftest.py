@@ -13,7 +13,12 @@ from gpswb.gui.panels.show import shown_panel
 
 
 @pytest.fixture(scope="session", autouse=True)
-def _workbench():
+def _window():
+    arrange()
+
+
+def arrange():
+    """The window as a user might have it, with the workbench active."""
     window = FreeCADGui.getMainWindow()
     window.setGeometry(0, 0, 1280, 800)
     FreeCADGui.activateWorkbench("GpsWorkbench")

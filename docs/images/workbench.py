@@ -1,0 +1,62 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The pictures of the window in these pages, of the example bracket:
+
+    sh tests/gui/run.sh build/window docs/images/workbench.py
+
+They are left in build/window/pictures.
+"""
+
+import sys
+from pathlib import Path
+
+import FreeCAD
+import FreeCADGui
+
+ROOT = Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "tests" / "gui"))
+
+from window_job import start  # noqa: E402
+
+
+def show():
+    """Go through the workbench as a user does, and take a picture at each stop."""
+    from conftest import arrange
+    from window import click_in_view, picture, pixel_of_face, settle, wait
+
+    from gpswb.gui.commands.import_part import bring_in
+    from gpswb.gui.objects.partition import partitions
+    from gpswb.gui.panels.show import shown_panel
+
+    arrange()
+    bring_in(ROOT / "build" / "examples" / "bracket.step")
+    view = FreeCADGui.activeDocument().activeView()
+    view.viewIsometric()
+    FreeCADGui.SendMsgToActiveView("ViewFit")
+    FreeCADGui.runCommand("GPS_Partition", 0)
+    panel = shown_panel()
+    wait(lambda: "(" in panel.count.text(), 300)
+    FreeCADGui.Selection.clearSelection()
+    panel.accept()
+    wait(lambda: panel.bar.value() > 40 or shown_panel() is None, 300)
+    picture("panel")
+    wait(lambda: shown_panel() is None, 600)
+    FreeCADGui.SendMsgToActiveView("ViewFit")
+    settle(1.0)
+    picture("coloured")
+    (partition,) = partitions(FreeCAD.ActiveDocument)
+    for feature in partition.Group:
+        feature.ViewObject.Visibility = False
+    FreeCADGui.runCommand("GPS_Query", 0)
+    settle()
+    cone = next(f for f in partition.Group if f.Surface == "cone")
+    click_in_view(*pixel_of_face(cone.Faces[0][1][0]))
+    picture("query")
+    shown_panel().reject()
+    FreeCADGui.Selection.clearSelection()
+    partition.ViewObject.DisplayMode = "Facets"
+    partition.ViewObject.ColourBy = "shape type"
+    settle()
+    picture("mesh")
+
+
+start(show)
