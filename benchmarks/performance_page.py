@@ -38,7 +38,10 @@ def tables(figures: dict[str, Any]) -> list[str]:
     """All figures as Markdown."""
     cases = _cases(figures)
     lines = [*_main_table(cases), *_exponent(cases), *_other_modes(cases)]
-    return [*lines, *_likelihood(figures["density"])]
+    lines += _likelihood(figures["density"])
+    if figures["help_s"]:
+        lines += ["", f"`gpswb --help` takes {figures['help_s']:.2f} s of wall time."]
+    return lines
 
 
 def _cases(figures: dict[str, Any]) -> dict[str, Case]:

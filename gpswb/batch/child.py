@@ -78,6 +78,6 @@ def _examine(path: Path, job: Job, settings: Settings) -> None:
 
     outcome = examine(path, settings)
     solid = replace(outcome.solid, source=printable(job.url))
-    write_labels(job.directory / "labels.npz", outcome.partition, solid.facemap)
+    write_labels(job.directory / "labels.npz", outcome.partition, solid.facemap, solid.pointmap)
     document = result_document(solid, outcome.partition, outcome.validation)
     write_result(job.directory / "result.json", document)
