@@ -7,11 +7,11 @@ import math
 from statistics import median
 from typing import Any
 
+from docs_section import renew
 from meshes import ROOT
 
 PAGE = ROOT / "docs" / "performance.md"
 PLOT = ROOT / "docs" / "images" / "performance.svg"
-START, END = "<!-- figures: start -->", "<!-- figures: end -->"
 
 CASES = {
     "10k": "10k",
@@ -27,10 +27,7 @@ Case = dict[str, Any]
 def renew_page(figures: dict[str, Any]) -> None:
     """Replace what stands between the two markers, and the plot."""
     lines = [*tables(figures), "", f"{figures['cpu']}, {figures['date']}."]
-    before, _, rest = PAGE.read_text(encoding="utf-8").partition(START)
-    after = rest.partition(END)[2]
-    block = "\n".join([START, "", *lines, "", END])
-    PAGE.write_text(before + block + after, encoding="utf-8")
+    renew(PAGE, "figures", lines)
     _plot(_cases(figures))
 
 
@@ -39,8 +36,10 @@ def tables(figures: dict[str, Any]) -> list[str]:
     cases = _cases(figures)
     lines = [*_main_table(cases), *_exponent(cases), *_other_modes(cases)]
     lines += _likelihood(figures["density"])
+    if missing := [CASES[name] for name in CASES if name not in cases]:
+        lines += ["", f"Not measured in this run: {', '.join(missing)}."]
     if figures["help_s"]:
-        lines += ["", f"`gpswb --help` takes {figures['help_s']:.2f} s of wall time."]
+        lines += ["", f"`gpswb --help` takes {figures['help_s']:.2f} CPU s."]
     return lines
 
 

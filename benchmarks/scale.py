@@ -10,7 +10,10 @@ import sys
 from pathlib import Path
 
 import pandas as pd
+from docs_section import renew
+from meshes import ROOT
 
+PAGE = ROOT / "docs" / "scale.md"
 MILLION = 1_000_000
 SIZES = (0, 2_000, 10_000, 30_000, 100_000, 10_000_000)
 """Bounds of the classes of parts, triangles."""
@@ -35,25 +38,27 @@ def table(out: Path) -> tuple[pd.DataFrame, pd.DataFrame]:
 
 
 def main() -> None:
-    """Print the tables as Markdown."""
+    """Renew the section of docs/scale.md."""
     out = Path(sys.argv[1])
     parts, rows = table(out)
     ends = ", ".join(f"{n} {status}" for status, n in parts["status"].value_counts().items())
-    print(f"{len(parts)} parts: {ends}.\n")
-    print("| triangles | " + " | ".join(rows.columns) + " |")
-    print("|---" * (len(rows.columns) + 1) + "|")
+    lines = [f"{len(parts)} parts: {ends}. Medians of those done, by triangles:", ""]
+    lines.append("| triangles | " + " | ".join(rows.columns) + " |")
+    lines.append("|---|" + "---:|" * len(rows.columns))
     for bounds, row in rows.iterrows():
         cells = [f"{value:,.0f}" if value >= 20 else f"{value:.2g}" for value in row]
-        print(f"| {bounds.left:,} to {bounds.right:,} | " + " | ".join(cells) + " |")
+        lines.append(f"| {bounds.left:,} to {bounds.right:,} | " + " | ".join(cells) + " |")
     # A part that met a limit has cost it: wall time stands in for the time that nobody saw.
-    cost = parts["cpu_s"].fillna(parts["seconds"])
-    done = parts[parts["status"] == "done"]
-    kilobytes = sum(stored(out, part) for part in done["part"]) / len(parts) / 1e3
-    print(
-        f"\nMean {cost.mean():.1f} CPU s and {kilobytes:.0f} kB a part: for a million of the same "
-        f"mix {cost.mean() * MILLION / 3600:,.0f} core hours and "
-        f"{kilobytes * MILLION / 1e9:,.2f} TB."
-    )
+    cost = parts["cpu_s"].fillna(parts["seconds"]).mean()
+    done = parts.loc[parts["status"] == "done", "part"]
+    kilobytes = sum(stored(out, part) for part in done) / len(parts) / 1e3
+    lines += [
+        "",
+        f"In the mean {cost:.1f} CPU s and {kilobytes:.0f} kB a part. A million of the same mix:",
+        f"**{cost * MILLION / 3600:,.0f} core hours, {kilobytes * MILLION / 1e9:,.2f} TB**.",
+    ]
+    renew(PAGE, "figures", lines)
+    print("\n".join(lines))
 
 
 if __name__ == "__main__":

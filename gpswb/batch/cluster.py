@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import itertools
 import logging
-from collections.abc import Iterable, Iterator
+from collections.abc import Generator, Iterable
 from typing import Any
 
 from gpswb.batch.job import End, Job, Limits
@@ -28,7 +28,7 @@ PATIENCE = 60
 
 def run_on_cluster(
     jobs: Iterable[Job], settings: Settings, limits: Limits, cached: bool, address: str
-) -> Iterator[tuple[Job, End]]:
+) -> Generator[tuple[Job, End]]:
     """Yield each job with its end as it ends, its results in its directory.
 
     Args:

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import itertools
 import threading
-from collections.abc import Iterable, Iterator
+from collections.abc import Generator, Iterable
 from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
 
 from gpswb.batch.cache import Cache
@@ -16,7 +16,7 @@ from gpswb.batch.settings import Settings
 
 def run_local(
     jobs: Iterable[Job], settings: Settings, limits: Limits, cache: Cache | None, parallel: int
-) -> Iterator[tuple[Job, End]]:
+) -> Generator[tuple[Job, End]]:
     """Yield each job with its end as it ends; at most ``parallel`` run at once.
 
     Raises:

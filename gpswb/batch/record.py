@@ -43,6 +43,8 @@ def decode(line: bytes) -> Entry | None:
 def read_record(path: Path, header: Entry) -> Iterator[tuple[int, Entry | None]]:
     """Yield the offset of each line, and its entry, or None where it is damaged.
 
+    A last line without its end is none yet: another run may be writing it.
+
     Raises:
         InputError: the record belongs to a run of other settings.
         OSError: it can't be read.
@@ -50,6 +52,8 @@ def read_record(path: Path, header: Entry) -> Iterator[tuple[int, Entry | None]]
     offset = 0
     with path.open("rb") as file:
         for line in file:
+            if not line.endswith(b"\n"):
+                return
             entry = decode(line)
             if entry is None or "schema" not in entry:
                 yield offset, entry

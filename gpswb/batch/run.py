@@ -8,24 +8,21 @@ that is in the record, and the next one does no such part again.
 
 from __future__ import annotations
 
-import hashlib
 import json
 import os
 import shutil
-from collections import Counter
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from contextlib import AbstractContextManager, ExitStack
-from dataclasses import dataclass
+from collections.abc import Callable, Generator, Iterable, Sequence
+from contextlib import AbstractContextManager, closing
 from pathlib import Path
-from typing import NamedTuple
 
 import gpswb
 from gpswb.batch.columns import document_columns
 from gpswb.batch.job import RESULTS, End, Job
-from gpswb.batch.record import Entry, Record, decode, read_record
+from gpswb.batch.record import Entry, Record
+from gpswb.batch.records import Known, Summary, read_records, summarise
 from gpswb.batch.settings import Settings
+from gpswb.batch.shard import Shard
 from gpswb.batch.source import Part
-from gpswb.batch.summary import write_summary
 from gpswb.errors import OutputError
 
 SCHEMA = "gpswb-record/1"
@@ -33,60 +30,10 @@ SCHEMA = "gpswb-record/1"
 RETRIED = ("crashed", "timeout", "memory")
 """Ends that another try, with other limits or on another machine, may turn into a result."""
 
-NAMED = 20
-"""Parts without a result that a summary names; its table has all of them."""
-
-Execute = Callable[[Iterable[Job]], Iterator[tuple[Job, End]]]
+Execute = Callable[[Iterable[Job]], Generator[tuple[Job, End]]]
 """Examines jobs: yields each with its end, its results in its directory."""
 
 Counted = Callable[[int, int], AbstractContextManager[Callable[[str], None]]]
-
-
-@dataclass(frozen=True)
-class Shard:
-    """The parts of one of ``count`` runs that share the work, ``number`` from 1 to ``count``."""
-
-    number: int = 1
-    count: int = 1
-
-    def __contains__(self, part: Part) -> bool:
-        # By name, so that a part keeps its shard whatever else is added.
-        digest = hashlib.sha256(part.name.encode("utf-8", "surrogateescape")).digest()
-        return int.from_bytes(digest[:8]) % self.count == self.number - 1
-
-    @property
-    def record(self) -> str:
-        """File name of its record."""
-        if self.count == 1:
-            return "record.jsonl"
-        return f"record-{self.number}-of-{self.count}.jsonl"
-
-
-@dataclass(frozen=True)
-class Summary:
-    """What a run leaves.
-
-    Args:
-        ends: how many parts ended how.
-        lacking: the first entries of parts without a result.
-        files: names of the table's files.
-        damaged: lines of records that were found damaged.
-    """
-
-    ends: Counter[str]
-    lacking: list[Entry]
-    files: list[str]
-    damaged: int
-
-
-class _Known(NamedTuple):
-    """What is kept in memory of a part's last entry: there may be millions."""
-
-    record: Path
-    offset: int
-    status: str
-    size: int
-    stamp: str
 
 
 def run_batch(
@@ -118,62 +65,23 @@ def run_batch(
     try:
         out.mkdir(parents=True, exist_ok=True)
         with Record(out / shard.record, header) as record:
-            known, _ = _read_all(out, shard, header)
+            known, _ = read_records(out, shard.record, header)
             mine = [part for part in parts if part in shard]
             waiting = [p for p in mine if not _done(p, known.get(p.name), out, retry)]
             del known
             with counted(len(mine), len(mine) - len(waiting)) as ended:
                 _examine(waiting, out, shard, record, execute, ended)
-            return _summarise(parts, out, *_read_all(out, shard, header))
+            return summarise(parts, out, *read_records(out, shard.record, header))
     except OSError as error:
         raise OutputError(f"can't write {out}: {error.strerror or error}") from error
 
 
-def _read_all(out: Path, shard: Shard, header: Entry) -> tuple[dict[str, _Known], int]:
-    """The last entry of each part in any record, this shard's last; and damaged lines."""
-    known: dict[str, _Known] = {}
-    damaged = 0
-    paths = sorted(out.glob("record*.jsonl"), key=lambda path: (path.name == shard.record, path))
-    for path in paths:
-        for offset, entry in read_record(path, header):
-            if entry is None:
-                damaged += 1
-            else:
-                said = (entry["status"], entry["bytes"], entry["stamp"])
-                known[entry["part"]] = _Known(path, offset, *said)
-    return known, damaged
-
-
-def _done(part: Part, known: _Known | None, out: Path, retry: bool) -> bool:
+def _done(part: Part, known: Known | None, out: Path, retry: bool) -> bool:
     if known is None or (known.size, known.stamp) != (part.size, part.stamp):
         return False
     if known.status == "done":
         return (out / "parts" / part.name / "result.json").exists()
     return not (retry and known.status in RETRIED)
-
-
-def _summarise(
-    parts: Sequence[Part], out: Path, known: Mapping[str, _Known], damaged: int
-) -> Summary:
-    ends: Counter[str] = Counter()
-    lacking: list[Entry] = []
-
-    def rows() -> Iterator[Entry]:
-        with ExitStack() as stack:
-            paths = {one.record for one in known.values()}
-            files = {path: stack.enter_context(path.open("rb")) for path in paths}
-            for part in parts:
-                if not (one := known.get(part.name)):
-                    continue
-                files[one.record].seek(one.offset)
-                entry = decode(files[one.record].readline())
-                assert entry is not None
-                ends[one.status] += 1
-                if one.status != "done" and len(lacking) < NAMED:
-                    lacking.append(entry)
-                yield entry
-
-    return Summary(ends, lacking, write_summary(out, rows()), damaged)
 
 
 def _examine(
@@ -191,26 +99,28 @@ def _examine(
     part_of = {part.name: part for part in ordered}
     jobs = (Job(part.url, part.name, work / str(i)) for i, part in enumerate(ordered))
     try:
-        for job, end in execute(jobs):
-            part = part_of[job.name]
-            columns = _publish(job, end, out / "parts" / part.name)
-            record.append(
-                {
-                    "part": part.name,
-                    "stamp": part.stamp,
-                    "status": end.status,
-                    "message": end.message or None,
-                    "seconds": round(end.seconds, 3),
-                    "cpu_s": end.cpu_s,
-                    "memory_mb": end.memory_mb,
-                    "cached": end.cached,
-                    "bytes": part.size,
-                    **columns,
-                }
-            )
-            ended(part.name)
+        with closing(execute(jobs)) as ends:  # its processes end before their directories go
+            for job, end in ends:
+                part = part_of[job.name]
+                columns = _publish(job, end, out / "parts" / part.name)
+                record.append({**_entry(part, end), **columns})
+                ended(part.name)
     finally:
         shutil.rmtree(work, ignore_errors=True)
+
+
+def _entry(part: Part, end: End) -> Entry:
+    return {
+        "part": part.name,
+        "stamp": part.stamp,
+        "status": end.status,
+        "message": end.message or None,
+        "seconds": round(end.seconds, 3),
+        "cpu_s": end.cpu_s,
+        "memory_mb": end.memory_mb,
+        "cached": end.cached,
+        "bytes": part.size,
+    }
 
 
 def _publish(job: Job, end: End, place: Path) -> Entry:

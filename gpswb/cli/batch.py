@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import argparse
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Generator, Iterable
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -21,7 +21,7 @@ from gpswb.errors import InputError
 
 if TYPE_CHECKING:
     from gpswb.batch.job import End, Job
-    from gpswb.batch.run import Summary
+    from gpswb.batch.records import Summary
 
 AMBIGUOUS = (".txt", ".csv")
 """Endings of point clouds that in a directory mostly are something else."""
@@ -68,7 +68,8 @@ def run(args: argparse.Namespace) -> int:
     from gpswb.batch.cache import Cache
     from gpswb.batch.job import Limits
     from gpswb.batch.local import run_local
-    from gpswb.batch.run import Shard, run_batch
+    from gpswb.batch.run import run_batch
+    from gpswb.batch.shard import Shard
     from gpswb.batch.source import CAD, find_parts, is_url
     from gpswb.cli.progress import count_bar
     from gpswb.io.measured_file import SUFFIXES
@@ -82,7 +83,7 @@ def run(args: argparse.Namespace) -> int:
     if not parts:
         raise InputError(f"nothing to examine in {args.directory}; taken are {', '.join(suffixes)}")
 
-    def execute(jobs: Iterable[Job]) -> Iterator[tuple[Job, End]]:
+    def execute(jobs: Iterable[Job]) -> Generator[tuple[Job, End]]:
         if args.scheduler:
             from gpswb.batch.cluster import run_on_cluster
 

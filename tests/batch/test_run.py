@@ -9,7 +9,7 @@ import subprocess
 import sys
 import time
 from collections import Counter
-from collections.abc import Iterable, Iterator
+from collections.abc import Generator, Iterable
 from pathlib import Path
 
 import pandas as pd
@@ -19,8 +19,9 @@ from made_blocks import SETTINGS, make_blocks
 from gpswb.batch.columns import COLUMNS
 from gpswb.batch.job import End, Job
 from gpswb.batch.record import decode
-from gpswb.batch.run import Shard, run_batch
+from gpswb.batch.run import run_batch
 from gpswb.batch.settings import Settings
+from gpswb.batch.shard import Shard
 from gpswb.batch.source import Part, find_parts
 from gpswb.cad.density import Density
 from gpswb.errors import InputError
@@ -44,7 +45,7 @@ class Examiner:
         self.seen: Counter[str] = Counter()
         self.stop_after, self.bad = stop_after, bad
 
-    def __call__(self, jobs: Iterable[Job]) -> Iterator[tuple[Job, End]]:
+    def __call__(self, jobs: Iterable[Job]) -> Generator[tuple[Job, End]]:
         for job in jobs:
             if self.seen.total() == self.stop_after:
                 raise KeyboardInterrupt
