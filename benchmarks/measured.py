@@ -44,9 +44,10 @@ def main() -> None:
     if unknown:
         parser.error(f"no section {', '.join(unknown)}; there are {', '.join(makers)}")
     for name in args.sections or makers:
-        section = makers[name]()
-        text = PAGE.read_text(encoding="utf-8")
-        write_whole(PAGE, renew_section(text, name, section))
+        # A section grows: what a run that is cut short has found stands on the page.
+        for section in makers[name]():
+            text = PAGE.read_text(encoding="utf-8")
+            write_whole(PAGE, renew_section(text, name, section))
         print(f"{PAGE.relative_to(ROOT)}: section {name} renewed", flush=True)
 
 
