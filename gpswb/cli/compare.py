@@ -71,8 +71,6 @@ def run(args: argparse.Namespace) -> int:
 
 def _work(args: argparse.Namespace, draft: Path) -> tuple[list[str], list[str]]:
     """What is printed and the names of the files written in ``draft``."""
-    import numpy as np
-
     from gpswb.batch.one_part import partition_solid
     from gpswb.cad.read import read_solid
     from gpswb.cli.progress import stage_bar
@@ -116,11 +114,9 @@ def _work(args: argparse.Namespace, draft: Path) -> tuple[list[str], list[str]]:
     table = features_table(document)
     lines = [f"note: {note}" for note in document["notes"]]
     if alignment is not None:
-        lines.append(
-            f"aligned: {100 * alignment.paired:.1f} % of the points paired, "
-            f"rms {alignment.rms:.4g} mm"
-        )
-    off = int(np.count_nonzero(comparison.face < 0))
-    lines.append(f"{len(scan.mesh.vertices)} points, {off} too far off, "
-                 f"{int(comparison.extracted.sum())} extracted")  # fmt: skip
+        lines.append(f"aligned: {100 * alignment.paired:.1f} % of the points paired")
+    lines.append(
+        f"{document['vertices']} points, {document['far']} too far off, {document['extracted']} "
+        f"extracted; rms distance {document['rms'] or 0.0:.4g} mm"
+    )
     return [*lines, "", *aligned([table.head, *table.rows], right=range(3, 10))], names

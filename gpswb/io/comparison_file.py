@@ -43,11 +43,11 @@ def comparison_document(
         "alignment": alignment
         and {
             "transform": alignment.transform.tolist(),
-            "rms": alignment.rms,
             "paired": alignment.paired,
         },
         "vertices": len(partition.mesh.vertices),
         "far": int((comparison.face < 0).sum()),
+        "rms": comparison.rms,
         "extracted": int(comparison.extracted.sum()),
         "features": [
             {**asdict(row), "faces": list(row.faces), "regions": list(row.regions)}

@@ -48,8 +48,7 @@ def comparison_page(document: dict[str, Any], partition: Partition, comparison: 
     scan, part = document["scan"]["path"], document["nominal"]["path"]
     aligned = document["alignment"]
     said = (
-        f"Aligned: {100 * aligned['paired']:.1f} % of the points paired, rms "
-        f"{aligned['rms']:.4g} mm."
+        f"Aligned, {100 * aligned['paired']:.1f} % of the points paired."
         if aligned
         else "Not aligned."
     )
@@ -64,7 +63,8 @@ def comparison_page(document: dict[str, Any], partition: Partition, comparison: 
         for view in VIEWS
     ]  # fmt: skip
     counts = (
-        f"{document['far']} of {document['vertices']} points lie too far off; "
+        f"{document['far']} of {document['vertices']} points lie too far off, the others "
+        f"{_length(document['rms'])} off in root mean square; "
         f"{document['extracted']} are extracted points of a feature. Lengths in mm."
     )
     body = [

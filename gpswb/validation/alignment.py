@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Alignment of a scan with its nominal part: iterative closest point, by small_gicp."""
+"""Alignment of a scan with its nominal part: generalised ICP (Segal et al. 2009), by small_gicp.
+
+It measures distances across both local planes: along its surface a point may slide.
+"""
 
 from __future__ import annotations
 
@@ -18,6 +21,9 @@ be off by several per cent; at the end noise and form deviation are far smaller 
 MOST_POINTS = 30_000
 """Points of the scan that take part: a pose has six numbers."""
 
+NEIGHBOURS = 12
+"""Points that tell the local plane of each."""
+
 _STEPS = 100
 
 
@@ -27,17 +33,15 @@ class Alignment:
 
     Args:
         transform: (4, 4) from the scan's coordinates to the nominal part's.
-        rms: of the paired points' distances along the normals in the last round, mm.
-        paired: share of the points that found a partner there.
+        paired: share of the points that found a partner in the last round.
     """
 
     transform: FloatArray
-    rms: float
     paired: float
 
 
 def align(points: FloatArray, target: FloatArray, diagonal: float, start: FloatArray) -> Alignment:
-    """Refine a rough placement so that the points lie on the target, point to plane.
+    """Refine a rough placement so that the points lie on the target.
 
     Args:
         points: (n, 3) of the scan, mm.
@@ -55,7 +59,8 @@ def align(points: FloatArray, target: FloatArray, diagonal: float, start: FloatA
     chosen = points[:: -(-len(points) // MOST_POINTS)]
     source, goal = small_gicp.PointCloud(chosen), small_gicp.PointCloud(target)
     tree = small_gicp.KdTree(goal)
-    small_gicp.estimate_normals(goal, tree, 12)
+    small_gicp.estimate_covariances(goal, tree, NEIGHBOURS)
+    small_gicp.estimate_covariances(source, small_gicp.KdTree(source), NEIGHBOURS)
     transform = start
     for reach in REACH:
         found = small_gicp.align(
@@ -63,7 +68,7 @@ def align(points: FloatArray, target: FloatArray, diagonal: float, start: FloatA
             source,
             tree,
             init_T_target_source=transform,
-            registration_type="PLANE_ICP",
+            registration_type="GICP",
             max_correspondence_distance=reach * diagonal,
             max_iterations=_STEPS,
             rotation_epsilon=1e-9,
@@ -76,7 +81,6 @@ def align(points: FloatArray, target: FloatArray, diagonal: float, start: FloatA
         transform = np.array(found.T_target_source, dtype=np.float64)
     return Alignment(
         transform=transform,
-        rms=float(np.sqrt(2.0 * found.error / found.num_inliers)),
         paired=found.num_inliers / len(chosen),
     )
 

@@ -84,6 +84,12 @@ class Comparison:
     distance: FloatArray
     extracted: BoolArray
 
+    @property
+    def rms(self) -> float | None:
+        """Root mean square of the distances of all points that belong to a face, mm."""
+        near = self.distance[self.face >= 0]
+        return float(np.sqrt((near**2).mean())) if len(near) else None
+
 
 def compare(partition: Partition, nominal: Nominal) -> Comparison:
     """Match the regions of an aligned scan with the faces and measure each feature.

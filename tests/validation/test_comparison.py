@@ -114,8 +114,8 @@ def test_alignment_undoes_a_rough_placement() -> None:
     scan = vertices @ away[:3, :3].T + away[:3, 3]
     found = align(scan, nominal.points, nominal.diagonal, placement([2.6, -1.8, 1.2, 3, -2, 4]))
     back = scan @ found.transform[:3, :3].T + found.transform[:3, 3]
-    # Least squares over waves and lobes of ±0.02: off by a fraction of their height.
-    assert np.linalg.norm(back - vertices, axis=1).max() < 0.01
+    # Waves and lobes of ±0.02 pull evenly: what is left is a tenth of their height at most.
+    assert np.linalg.norm(back - vertices, axis=1).max() < 0.002
     assert found.paired == 1.0
 
 
