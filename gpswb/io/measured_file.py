@@ -41,7 +41,8 @@ def read_measured(path: Path, unit: str | None = None) -> Solid:
     start = time.perf_counter()
     suffix = path.suffix.lower()
     if suffix == ".fcstd":
-        solid = solid_of_parts(stored_measurements(path), str(path), "mm", ())
+        own, notes = _unit(path, "mm", unit)
+        solid = solid_of_parts(stored_measurements(path), str(path), own, notes)
     else:
         if suffix in cloud_file.SUFFIXES:
             parsed = mesh_file.Parsed(cloud_file.parse_cloud(path), np.zeros((0, 3), np.int64))
@@ -109,7 +110,7 @@ def solid_of_parts(
             vertex[finite] = cloud.vertex_of_point
             mesh, pointmap = cloud.mesh, PointMap(vertices, vertex)
             told, mesher = (*told, *cloud.notes), "advancing front"
-    except InputError as error:
+    except (InputError, ValueError) as error:
         raise InputError(f"{source}: {error}") from error
     return Solid(mesh, None, source, unit, "as read", mesher, (*notes, *told), "", {}, pointmap)
 

@@ -122,6 +122,21 @@ def test_mesh_of_a_freecad_document_stands_in_its_place(tmp_path: Path) -> None:
     found = sorted(map(tuple, read_measured(path).mesh.vertices.round(6).tolist()))
     # x goes to y, y to -x; then 10 and 1000 along x.
     assert found == [(1009, 0, 0), (1010, 0, 0), (1010, 0, 1), (1010, 1, 0)]
+    with pytest.raises(InputError, match="states that its unit is mm, not m"):
+        read_measured(path, "m")
+
+
+def test_a_document_whose_mesh_is_spoilt_gives_one_line(tmp_path: Path) -> None:
+    path = tmp_path / "scan.FCStd"
+    document(path)
+    with zipfile.ZipFile(path) as archive:
+        xml, data = archive.read("Document.xml"), archive.read("M.bms")
+    with zipfile.ZipFile(path, "w") as archive:
+        archive.writestr("Document.xml", xml)
+        # The first corner's index is beyond the points.
+        archive.writestr("M.bms", data[: 272 + 48] + b"\x09" + data[272 + 49 :])
+    with pytest.raises(InputError, match="triangles refer to vertices"):
+        read_measured(path)
 
 
 def test_truncated_document_gives_one_line(tmp_path: Path) -> None:
