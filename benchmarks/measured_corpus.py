@@ -41,8 +41,10 @@ def corpus_section(corpus: Path, images: Path) -> Iterator[str]:
         solid = read_measured(path, "mm")
         right = abc_labels(path, solid.mesh)
         found = run(solid)
-        lines.append(_row(path.name, "area", found, solid, right, solid.mesh.areas, wrong))
+        row, _, _ = _row(path.name, "area", found, solid, right, solid.mesh.areas, wrong)
+        lines.append(row)
         yield _labelled(lines, wrong)
+    good = labelled = 0
     for path in sorted((corpus / "cloud").glob("PC*.txt")):
         if "_" in path.stem:
             continue
@@ -52,10 +54,13 @@ def corpus_section(corpus: Path, images: Path) -> Iterator[str]:
         right = fit4cad_labels(path, len(solid.pointmap.points))
         found = run(solid)
         ones = np.ones(len(right))
-        lines.append(_row(path.name, "points", found, solid, right, ones, wrong))
-        yield _labelled(lines, wrong)
+        row, *counts = _row(path.name, "points", found, solid, right, ones, wrong)
+        good, labelled = good + int(counts[0]), labelled + int(counts[1])
+        pooled = f"| all clouds | points | | {good / labelled:.4f} | {labelled:,} | | |"
+        lines.append(row)
+        yield _labelled([*lines, pooled], wrong)
     for part in _unlabelled(corpus, images):
-        yield f"{_labelled(lines, wrong)}\n{part}"
+        yield f"{_labelled([*lines, pooled], wrong)}\n{part}"
 
 
 def _labelled(lines: list[str], wrong: list[str]) -> str:
@@ -66,31 +71,34 @@ def _labelled(lines: list[str], wrong: list[str]) -> str:
 def _row(
     name: str, of: str, found: Run | None, solid: Solid, right: np.ndarray,
     weight: np.ndarray, wrong: list[str],
-) -> str:  # fmt: skip
+) -> tuple[str, float, float]:  # fmt: skip
+    """The row of a file; the weight that has the right class, and that with a label."""
     labelled = right.any(axis=1)
     share = weight[labelled].sum() / weight.sum()
     vertices = len(solid.mesh.vertices)
     if found is None:
-        return f"| {name} | {of} | {share:.4f} | not done in time | {vertices:,} | | |"
+        row = f"| {name} | {of} | {share:.4f} | not done in time | {vertices:,} | | |"
+        return row, 0.0, float(weight[labelled].sum())
     label = found.label
     if solid.pointmap is not None:
         vertex = solid.pointmap.vertex_of_point
         label = np.where(vertex >= 0, found.vertex_label[vertex], -1)
     good = labelled & (label >= 0) & right[np.arange(len(label)), label]
-    score = weight[good].sum() / weight[labelled].sum()
+    right_weight, all_weight = float(weight[good].sum()), float(weight[labelled].sum())
     pairs: dict[tuple[str, str], float] = {}
     for i in np.flatnonzero(labelled & ~good):
         true = " or ".join(CLASSES[k] for k in np.flatnonzero(right[i]))
         taken = CLASSES[label[i]] if label[i] >= 0 else "none"
-        pairs[true, taken] = pairs.get((true, taken), 0.0) + weight[i] / weight[labelled].sum()
+        pairs[true, taken] = pairs.get((true, taken), 0.0) + weight[i] / all_weight
     worst = sorted(pairs.items(), key=lambda item: -item[1])[:4]
     said = ", ".join(f"{true} as {taken} {100 * part:.2f} %" for (true, taken), part in worst)
     wrong.append(f"- {name}: {said or 'nothing'}")
     facts = found.facts
-    return (
-        f"| {name} | {of} | {share:.4f} | {score:.4f} | {vertices:,} | {facts['regions']} | "
-        f"{facts['seconds']:.0f} |"
+    row = (
+        f"| {name} | {of} | {share:.4f} | {right_weight / all_weight:.4f} | {vertices:,} | "
+        f"{facts['regions']} | {facts['seconds']:.0f} |"
     )
+    return row, right_weight, all_weight
 
 
 def _unlabelled(corpus: Path, images: Path) -> Iterator[str]:
