@@ -161,7 +161,7 @@ def _plot(cases: dict[str, Case]) -> None:
 
     sizes = [case for name, case in cases.items() if name in ("10k", "100k", "1M")]
     n = [case["vertices"] for case in sizes]
-    figure, axes = plt.subplots(figsize=(7, 4.5), layout="constrained")
+    figure, axes = plt.subplots(figsize=(9, 4.5), layout="constrained")
     axes.plot(n, [_run(c, "whole") for c in sizes], "o-", color="black", lw=2.5, label="whole")
     for stage in sizes[0]["stages"]:
         seconds = [case["stages"].get(stage, 0.0) for case in sizes]
@@ -172,5 +172,5 @@ def _plot(cases: dict[str, Case]) -> None:
         axes.plot(n, [_freecad(c) for c in sizes], "^--", label="FreeCAD getCurvaturePerVertex")
     axes.set(xscale="log", yscale="log", xlabel="vertices", ylabel="CPU seconds, one thread")
     axes.grid(which="both", color="0.9")
-    axes.legend(fontsize=8)
+    figure.legend(loc="outside right upper", fontsize=8)
     figure.savefig(PLOT, metadata={"Date": None})
