@@ -20,9 +20,10 @@ from gpswb.core.likelihood import Densities, log_likelihoods
 from gpswb.core.mesh import FloatArray
 from gpswb.core.partition import Region
 from gpswb.core.reference import Reference, estimate_references, spread
+from gpswb.core.refine_reference import refine_reference
 from gpswb.core.region_samples import RegionSample
 from gpswb.core.situation import describe
-from gpswb.core.thickness import refine_reference, thickness
+from gpswb.core.thickness import thickness
 from gpswb.core.tolerances import Tolerances
 
 PARSIMONY: tuple[InvarianceClass, ...] = (

@@ -34,58 +34,21 @@ def thickness(points: FloatArray, invariance_class: InvarianceClass, reference: 
         return float(quotient.std())
     if len(points) < 6:
         return 0.0
-    offset, _ = _profile_offsets(quotient, None)
+    offset, _ = profile_offsets(quotient, None)
     if not len(offset):
         return 0.0
-    return float(np.sqrt(np.mean(offset[_nearest(offset)] ** 2))) / _CONSISTENT
+    return float(np.sqrt(np.mean(offset[near_profile(offset)] ** 2))) / _CONSISTENT
 
 
-def refine_reference(
-    points: FloatArray,
-    invariance_class: InvarianceClass,
-    reference: Reference,
-    iterations: int = 5,
-) -> Reference:
-    """Move a reference so that the projected points get thinner: Gauss-Newton on profile offsets.
-
-    Normals place an axis only as well as the tessellation knows them; nominal vertices lie on the
-    surface to rounding, which this uses. Prismatic, revolute and helical only: the other references
-    are already fitted by position. A step that does not thin the profile ends the search.
-    """
-    if invariance_class not in ("prismatic", "revolute", "helical") or len(points) < 12:
-        return reference
-    if not np.isfinite(reference.lead) or (invariance_class == "helical" and reference.lead == 0):
-        return reference
-    best, least = reference, np.inf
-    trial = reference
-    for _ in range(iterations):
-        quotient = quotient_coordinates(points, invariance_class, trial)
-        jacobian = _quotient_jacobian(points, invariance_class, trial)
-        offset, change = _profile_offsets(quotient, jacobian)
-        near = _nearest(offset)
-        cost = float(np.mean(offset[near] ** 2)) if len(offset) else np.inf
-        if not cost < least:
-            break
-        best, least = trial, cost
-        assert change is not None
-        if not np.isfinite(change[near]).all():
-            break  # a helix whose lead shrinks to nothing has no profile left
-        change = change[near]
-        size = np.maximum(np.linalg.norm(change, axis=0), 1e-300)
-        step = np.linalg.lstsq(change / size, -offset[near], rcond=1e-3)[0] / size
-        trial = _moved(trial, invariance_class, step)
-    return best
-
-
-def _nearest(offset: FloatArray) -> IntArray:
+def near_profile(offset: FloatArray) -> IntArray:
     """Indices of all but the largest offsets: those are where a profile bends within its samples,
     or where its two sides come nearer than they are apart (a trailing edge)."""
     return np.argsort(np.abs(offset))[: int(np.ceil(_KEPT * len(offset)))]
 
 
-def _profile_offsets(
+def profile_offsets(
     quotient: FloatArray, jacobian: FloatArray | None
-) -> tuple[FloatArray, FloatArray | None]:
+) -> tuple[FloatArray, FloatArray]:
     """Signed distances (s,) of sampled points between their neighbours to the quadratic through
     them.
 
@@ -118,13 +81,13 @@ def _profile_offsets(
     across = np.einsum("ska,sa->sk", relative, normal)
     offset: FloatArray = -np.einsum("sk,sk->s", weight, across)[inner]
     if jacobian is None:
-        return offset, None
+        return offset, np.zeros((len(offset), 0))
     predicted = np.einsum("sk,skaq->saq", weight, jacobian[near])
     change: FloatArray = np.einsum("sa,saq->sq", normal, jacobian[sample] - predicted)[inner]
     return offset, change
 
 
-def _quotient_jacobian(
+def quotient_jacobian(
     points: FloatArray, invariance_class: InvarianceClass, reference: Reference
 ) -> FloatArray:
     """(n, 2, q) change of the quotient coordinates with tilt (2), shift (2) and lead of the
@@ -151,14 +114,3 @@ def _quotient_jacobian(
     angle = about.phi + 2.0 * np.pi * turns
     d_h = np.column_stack([d_z - pitch * d_phi, -angle / (2.0 * np.pi)])
     return np.stack([np.column_stack([d_rho, np.zeros(n)]), d_h], axis=1)
-
-
-def _moved(reference: Reference, invariance_class: InvarianceClass, step: FloatArray) -> Reference:
-    u, v, d = axis_frame(reference.direction)
-    direction = d + step[0] * u + step[1] * v
-    direction = direction / float(np.linalg.norm(direction))
-    if invariance_class == "prismatic":
-        return Reference(reference.point, direction)
-    point = reference.point + step[2] * u + step[3] * v
-    lead = reference.lead + (float(step[4]) if invariance_class == "helical" else 0.0)
-    return Reference(point, direction, lead)

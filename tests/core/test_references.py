@@ -8,7 +8,8 @@ from hypothesis import strategies as st
 from gpswb.core.invariance import CLASSES
 from gpswb.core.quotient import largest_gap, quotient_coordinates
 from gpswb.core.reference import Reference, axis_frame, estimate_references, screw, spread
-from gpswb.core.thickness import refine_reference, thickness
+from gpswb.core.refine_reference import refine_reference
+from gpswb.core.thickness import thickness
 
 Z = np.array([0.0, 0.0, 1.0])
 
