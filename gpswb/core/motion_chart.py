@@ -72,7 +72,9 @@ class MotionChart:
         return np.column_stack(columns)
 
     def _off(self, other: Reference) -> FloatArray:
-        """Tilt, shift and lead of another reference against this one."""
+        """Tilt, shift and lead of another reference against this one; NaN where it has no axis."""
+        if not np.isfinite(other.lead):
+            return np.full(4 if self.invariance_class == "revolute" else 5, np.nan)
         u, v, d = axis_frame(self.reference.direction)
         along = float(other.direction @ d)
         direction = other.direction / along
@@ -82,4 +84,4 @@ class MotionChart:
         gap = other.point - self.reference.point
         gap = gap - float(gap @ d) * direction
         off = [direction @ u, direction @ v, gap @ u, gap @ v]
-        return np.array(off + [other.lead] if self.invariance_class == "helical" else off)
+        return np.array([*off, other.lead] if self.invariance_class == "helical" else off)

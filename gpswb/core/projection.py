@@ -90,8 +90,11 @@ def fill_facets(label: IntArray, mesh: Mesh) -> IntArray:
 
 
 def number_facet_regions(label: IntArray, mesh: Mesh) -> tuple[IntArray, int]:
-    """Number labels 0, 1, ... by first facet, -1 for degenerate facets; also how many there are."""
+    """Number labels 0, 1, ... by first facet; also how many there are.
+
+    Facets without area get -1, and those of label -1 keep it.
+    """
     region = np.full(len(label), -1, dtype=np.int64)
-    solid = mesh.areas > 0.0
+    solid = (mesh.areas > 0.0) & (label >= 0)
     region[solid], count = number_by_first(label[solid])
     return region, count

@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from gpswb.core.invariance import InvarianceClass
-from gpswb.core.recognition import PARSIMONY, Evidence
+from gpswb.core.recognition import PARSIMONY, Choice, Evidence
 
 GAP = 20.0
 """Factor by which a wrong class stands off further than a right one, at least: nominal vertices lie
@@ -14,6 +14,27 @@ on their surface to rounding, on another they are off by orders of magnitude."""
 
 ROUNDING = 0.01
 """Share of the allowed distance below which stand-offs say no more than that all fit."""
+
+
+def unless_far_better(name: InvarianceClass, residual: float) -> Choice:
+    """The class of a simple surface, unless a less symmetric class fits incomparably better.
+
+    A narrow strip of a blade lies on a torus to within a wide tolerance, but on a helicoid exactly.
+
+    Args:
+        name: class of the surface.
+        residual: largest distance of the region's vertices from it, mm.
+    """
+
+    def choose(evidence: Evidence, likelihoods: Mapping[InvarianceClass, float]) -> InvarianceClass:
+        rank = PARSIMONY.index(name)
+        weaker = [evidence.stand_off[n] for n in PARSIMONY[rank + 1 : -1] if evidence.fits(n)]
+        floor = ROUNDING * evidence.distance["planar"]
+        if weaker and residual > max(floor, GAP * min(weaker)):
+            return by_gap(evidence, likelihoods)
+        return name
+
+    return choose
 
 
 def by_gap(evidence: Evidence, likelihoods: Mapping[InvarianceClass, float]) -> InvarianceClass:

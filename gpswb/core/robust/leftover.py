@@ -13,8 +13,9 @@ from gpswb.core.refine import refine_regions
 from gpswb.core.region_samples import confined_normals, region_samples
 from gpswb.core.robust.consensus import CREASE
 from gpswb.core.robust.decide import by_gap
+from gpswb.core.robust.parts import connected_parts, halves
 from gpswb.core.robust.strips import few_polygons
-from gpswb.core.robust.swept import follows
+from gpswb.core.robust.swept import LEAST_FACETS, follows
 from gpswb.core.robust.topology import FacetGraph
 from gpswb.core.tolerances import Tolerances
 
@@ -22,8 +23,8 @@ SYMMETRIC_SHARE = 0.5
 """Share of a smooth component's area that its pieces must recognise before it is left in pieces:
 pieces of a freeform surface are as freeform as the whole."""
 
-LARGEST = 12
-"""Initial regions, largest first, from which swept faces are sought: each costs a recognition."""
+LEVELS = 3
+"""Times that a part is halved to find the motion of most of it: each piece costs a recognition."""
 
 
 def label_leftover(
@@ -64,7 +65,7 @@ def label_leftover(
     joined &= (np.abs(graph.pair_dihedral) < CREASE) & ~first.crease
     part = np.where(rest, graph.components(joined, len(label)), -1)
     part, _ = number_facet_regions(part, mesh)
-    part = _swept_apart(mesh, graph, first, part, sigma, tolerances)
+    part = _swept_apart(mesh, graph, first, part, joined, sigma, tolerances)
     broken = rest & (classes_of(mesh, part, first.crease, sigma, tolerances) == "complex")[part]
     out[rest] = int(out.max(initial=-1)) + 1 + part[rest]
     if broken.any():
@@ -79,30 +80,37 @@ def _swept_apart(
     graph: FacetGraph,
     first: InitialPartition,
     part: IntArray,
+    smooth: BoolArray,
     sigma: float,
     tolerances: Tolerances,
 ) -> IntArray:
-    """(m,) the parts, with swept faces cut out of those that no symmetry fits whole."""
+    """(m,) the parts, with swept faces cut out of those that no symmetry fits whole.
+
+    A face that holds most of a part holds one of its halves, quarters or eighths whole: the motion
+    of such a piece is sought, and the facets of the part that follow it.
+    """
     names = classes_of(mesh, part, first.crease, sigma, tolerances)
-    inner = np.where((part >= 0) & (names == "complex")[part], first.region, -1)
-    inner, count = number_facet_regions(inner, mesh)
     out = part.copy()
-    normals = confined_normals(mesh, inner, first.crease)
-    samples = list(region_samples(mesh, inner, count, normals))
-    for sample in sorted(samples, key=lambda s: -s.area)[:LARGEST]:
-        home = np.unique(out[sample.facets])
-        if len(home) != 1:
-            continue
-        inside = np.flatnonzero(out == home[0])
-        face = follows(mesh, graph, sample, inside, sigma, tolerances)
-        if len(sample.facets) <= len(face) < len(inside):
-            trial = np.full(len(part), -1, dtype=np.int64)
-            trial[face] = 0
-            if classes_of(mesh, trial, first.crease, sigma, tolerances)[0] != "complex":
-                out[face] = int(out.max()) + 1
-    joined = (out[graph.pairs[:, 0]] == out[graph.pairs[:, 1]]) & (out[graph.pairs[:, 0]] >= 0)
-    apart = np.where(out >= 0, graph.components(joined, len(out)), -1)
-    return number_facet_regions(apart, mesh)[0]
+    piece = np.where((part >= 0) & (names == "complex")[part], part, -1)
+    for _ in range(LEVELS):
+        piece = connected_parts(graph, halves(graph, piece, smooth), smooth)
+        size = np.bincount(piece[piece >= 0])
+        worth = np.append(size >= LEAST_FACETS, False)
+        piece, count = number_facet_regions(np.where(worth[piece], piece, -1), mesh)
+        normals = confined_normals(mesh, piece, first.crease)
+        for sample in region_samples(mesh, piece, count, normals):
+            home = np.unique(out[sample.facets])
+            if len(home) != 1:
+                continue
+            inside = np.flatnonzero(out == home[0])
+            face = follows(mesh, graph, sample, inside, sigma, tolerances)
+            if len(sample.facets) <= len(face) < len(inside):
+                trial = np.full(len(part), -1, dtype=np.int64)
+                trial[face] = 0
+                if classes_of(mesh, trial, first.crease, sigma, tolerances)[0] != "complex":
+                    out[face] = int(out.max()) + 1
+                    piece[face] = -1
+    return connected_parts(graph, out, np.ones(len(graph.pairs), dtype=bool))
 
 
 def _pieces(

@@ -9,7 +9,7 @@ import numpy as np
 
 from gpswb.core.initial import InitialPartition, initial_partition
 from gpswb.core.invariance import InvarianceClass
-from gpswb.core.mesh import BoolArray, IntArray, Mesh
+from gpswb.core.mesh import BoolArray, FloatArray, IntArray, Mesh
 from gpswb.core.noisy.segmentation import segment
 from gpswb.core.partition import Partition, Region
 from gpswb.core.projection import number_facet_regions
@@ -18,16 +18,17 @@ from gpswb.core.region_samples import confined_normals, region_samples
 from gpswb.core.robust.absorb import absorb_pieces
 from gpswb.core.robust.competition import compete
 from gpswb.core.robust.consensus import find_surfaces
-from gpswb.core.robust.decide import by_gap
+from gpswb.core.robust.decide import by_gap, unless_far_better
 from gpswb.core.robust.describe import describe_surface
 from gpswb.core.robust.evidence import is_exact
 from gpswb.core.robust.freeform import dissolve
 from gpswb.core.robust.growth import Grown, fit_facets, grow
 from gpswb.core.robust.leftover import label_leftover
 from gpswb.core.robust.polygons import certain_planes, coplanar_polygons
-from gpswb.core.robust.surfaces import Kind
+from gpswb.core.robust.surfaces import Kind, distance
 from gpswb.core.robust.topology import FacetGraph
 from gpswb.core.stages import Progress, StageClock
+from gpswb.core.thickness import near_profile
 from gpswb.core.tolerances import Tolerances
 
 TIERS: tuple[float, ...] = (1e-7, 1e-5, 1e-4)
@@ -153,6 +154,12 @@ def simple_surfaces(
     return planes + found
 
 
+def stand_off(grown: Grown, points: FloatArray) -> float:
+    """RMS distance (mm) of (n, 3) points to a surface, measured as `thickness` measures a class."""
+    offset = distance(grown.kind, grown.surface[None], points[None])[0][0]
+    return float(np.sqrt(np.mean(offset[near_profile(offset)] ** 2)))
+
+
 def _still_free(weak: list[Grown], free: BoolArray) -> list[Grown]:
     """Regions of which most is still free, larger first, without what is not."""
     kept = []
@@ -201,15 +208,22 @@ def _recognise(
             regions.append(recognise(r, sample, merged, sigma, tolerances, choose=by_gap))
             continue
         name = CLASS_OF[grown.kind]
-        found = recognise(r, sample, merged, sigma, tolerances, choose=always(name))
-        kind, situation, intrinsic, residual = describe_surface(grown, sample.vertices)
+        fine = is_exact(mesh, grown) or grown.kind == "plane"
+        choose = (
+            always(name) if fine else unless_far_better(name, stand_off(grown, sample.vertices))
+        )
+        found = recognise(r, sample, merged, sigma, tolerances, choose=choose)
+        if found.invariance_class != name:
+            regions.append(found)
+            continue
+        kind, situation, intrinsic, rms = describe_surface(grown, sample.vertices)
         regions.append(
             replace(
                 found,
                 surface=kind,
                 situation=situation,
                 intrinsic=intrinsic,
-                residual=residual,
+                residual=rms,
                 undecided=(),
             )
         )
