@@ -14,9 +14,10 @@ from dataclasses import dataclass
 import numpy as np
 
 from gpswb.core.mesh import BoolArray, FloatArray, IntArray, Mesh
+from gpswb.core.reference import spread
 from gpswb.core.robust.evidence import BEND, drifts, enough_evidence, is_exact, sagitta
 from gpswb.core.robust.fitting import fit_patches
-from gpswb.core.robust.growth import Grown, fit_facets, flood, grow, to_world
+from gpswb.core.robust.growth import Grown, fit_facets, flood, grow, residual, to_world
 from gpswb.core.robust.parts import connected_parts, halves, spread_over
 from gpswb.core.robust.patches import Patches, patches_around, patches_of
 from gpswb.core.robust.surfaces import UNKNOWNS, Kind, distance
@@ -240,32 +241,33 @@ def _proved(
     if len(touched) < LEAST:
         return None
     rough = Grown(h.kind, h.surface, touched)
-    if is_exact(mesh, rough):
-        grown = grow(mesh, graph, h.kind, h.surface, np.array([h.seed]), free, tolerance)
-    elif sagitta(mesh, rough) < BEND * tolerance or drifts(mesh, graph, rough, tolerance):
+    if not is_exact(mesh, rough) and (
+        sagitta(mesh, rough) < BEND * tolerance or drifts(mesh, graph, rough, tolerance)
+    ):
         return None
-    else:
-        grown = simplest(mesh, graph, h, free, tolerance)
+    grown = grow(mesh, graph, h.kind, h.surface, np.array([h.seed]), free, tolerance)
+    if len(grown.facets):
+        grown = simplest(mesh, graph, grown, free, tolerance)
     return grown if enough_evidence(mesh, graph, grown, tolerance) else None
 
 
 def simplest(
-    mesh: Mesh, graph: FacetGraph, h: Hypothesis, free: BoolArray, tolerance: float
+    mesh: Mesh, graph: FacetGraph, grown: Grown, free: BoolArray, tolerance: float
 ) -> Grown:
-    """Grow a hypothesis; where a simpler kind explains all that it found, grow that instead.
+    """The region of a simpler kind, where that explains all of a region as well.
 
     Two coaxial rings of vertices lie on a sphere, but also on a cylinder or cone; a torus without
-    a hole to speak of is a sphere.
+    a hole to speak of is a sphere; a cone takes up what borders stand off a cylinder.
     """
-    grown = grow(mesh, graph, h.kind, h.surface, np.array([h.seed]), free, tolerance)
-    if not len(grown.facets):
-        return grown
     limit = max(tolerance, min(4.0 * tolerance, SIMPLER * sagitta(mesh, grown)))
-    for kind in KINDS[: KINDS.index(h.kind)]:
+    some = grown.facets[spread(len(grown.facets), SAMPLE)]
+    points = mesh.vertices[np.unique(mesh.triangles[grown.facets])]
+    for kind in KINDS[: KINDS.index(grown.kind)]:
+        near = Grown(kind, fit_facets(mesh, kind, some), some)
+        if residual(mesh, near) > limit:
+            continue
         surface = fit_facets(mesh, kind, grown.facets)
-        points = mesh.vertices[np.unique(mesh.triangles[grown.facets])]
-        d, _ = distance(kind, surface[None], points[None])
-        if np.abs(d).max() <= limit:
+        if np.abs(distance(kind, surface[None], points[None])[0]).max() <= limit:
             other = grow(mesh, graph, kind, surface, grown.facets, free, limit)
             if len(other.facets) >= len(grown.facets):
                 return other
