@@ -95,7 +95,13 @@ def _on_elementary(face: BrepFace, other: BrepFace, tolerance: float) -> bool:
         gap = (rho * nappe - surface.radius) * c - local[:, 2] * s
         expected = radial * (c * nappe)[:, None] - axial * s
     else:
-        arm = np.column_stack([rho - surface.radius, local[:, 2]])
+        # A tube wider than its ring passes the axis: there it is the tube of the other side.
+        sides = [
+            np.column_stack([rho - side, local[:, 2]]) for side in (surface.radius, -surface.radius)
+        ]
+        gaps = [np.linalg.norm(side, axis=1) - surface.extra for side in sides]
+        near = np.abs(gaps[0]) <= np.abs(gaps[1])
+        arm = np.where(near[:, None], sides[0], sides[1])
         length = np.linalg.norm(arm, axis=1)
         gap = length - surface.extra
         unit = arm / np.maximum(length, 1e-300)[:, None]

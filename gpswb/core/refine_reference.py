@@ -27,6 +27,7 @@ _DEGREE = 6  # of the polynomial: strips of threads and blades need five or six
 _GRAPH = 10.0  # how many times its thickness a profile may stand off a polynomial that follows it
 _STALLED = 0.9  # share of the cost that a step must leave less than, or it is the last but three
 _PATIENCE = 3
+_FAR = 1e6  # region sizes: an axis, or a lead, beyond that is none
 
 
 def refine_reference(
@@ -64,6 +65,8 @@ def _descend(
 ) -> Reference:
     centre = points.mean(axis=0)
     size = max(float(np.sqrt(((points - centre) ** 2).sum(axis=1).mean())), 1e-300)
+    if not _has_orbits(reference, invariance_class, centre, size):
+        return reference
     damping, idle = 1e-3, 0
     offset, change = _offsets(points, invariance_class, reference, local)
     cost = _cost(offset)
@@ -71,14 +74,14 @@ def _descend(
         chart = MotionChart(invariance_class, reference, centre, size)
         slope = change @ chart.derivative()
         if not np.isfinite(slope).all():
-            break  # a helix whose lead shrinks to nothing has no profile left
+            break
         h, g = slope.T @ slope, slope.T @ offset
         scale = max(float(np.trace(h)), 1e-300)
         for _ in range(4):
             h_damped = h + (damping / len(h) + 1e-14) * scale * np.eye(len(h))
             step = np.asarray(np.linalg.solve(h_damped, -g), dtype=np.float64)
             trial = chart.moved(step)
-            usable = np.isfinite(trial.lead)
+            usable = _has_orbits(trial, invariance_class, centre, size)
             if usable:
                 offset_new, change_new = _offsets(points, invariance_class, trial, local)
                 usable = _cost(offset_new) < cost
@@ -93,6 +96,17 @@ def _descend(
         if idle == _PATIENCE:
             break
     return reference
+
+
+def _has_orbits(
+    reference: Reference, invariance_class: InvarianceClass, centre: FloatArray, size: float
+) -> bool:
+    """Whether a motion is one of its class still: a long step may end at a translation, or at a
+    screw without lead."""
+    numbers = np.concatenate([reference.point - centre, reference.direction, [reference.lead]])
+    if not (np.isfinite(numbers).all() and np.abs(numbers).max() < _FAR * size):
+        return False
+    return invariance_class != "helical" or abs(reference.lead) > size / _FAR
 
 
 def _cost(offset: FloatArray) -> float:

@@ -20,7 +20,7 @@ from gpswb.core.robust.competition import compete
 from gpswb.core.robust.consensus import find_surfaces
 from gpswb.core.robust.decide import by_gap, unless_far_better
 from gpswb.core.robust.describe import describe_surface
-from gpswb.core.robust.evidence import EXACT, is_exact, sagitta
+from gpswb.core.robust.evidence import is_exact
 from gpswb.core.robust.freeform import dissolve
 from gpswb.core.robust.growth import Grown, fit_facets, grow
 from gpswb.core.robust.leftover import label_leftover
