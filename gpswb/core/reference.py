@@ -150,9 +150,10 @@ def _axis_twist(point: FloatArray, direction: FloatArray) -> FloatArray:
 def _least_slip(candidates: list[FloatArray], moments: SlippageMoments) -> FloatArray:
     """The candidate twist with the least mu; the first on a tie to rounding."""
     m, v = moments.motion[0], moments.metric[0]
-    mu = [float(x @ m @ x) / max(float(x @ v @ x), 1e-300) for x in candidates]
+    usable = [x for x in candidates if np.isfinite(x).all()] or candidates[:1]
+    mu = [float(x @ m @ x) / max(float(x @ v @ x), 1e-300) for x in usable]
     best = min(mu)
-    return next(x for x, value in zip(candidates, mu, strict=True) if value <= 1.01 * best + 1e-13)
+    return next(x for x, value in zip(usable, mu, strict=True) if not value > 1.01 * best + 1e-13)
 
 
 def _pure_rotation(moments: SlippageMoments) -> FloatArray:

@@ -16,7 +16,7 @@ import numpy as np
 from gpswb.core.mesh import BoolArray, FloatArray, IntArray, Mesh
 from gpswb.core.reference import spread
 from gpswb.core.robust.evidence import BEND, drifts, enough_evidence, is_exact, sagitta
-from gpswb.core.robust.fitting import fit_patches
+from gpswb.core.robust.fitting import fit, fit_patches
 from gpswb.core.robust.growth import Grown, fit_facets, flood, grow, residual, to_world
 from gpswb.core.robust.parts import connected_parts, halves, spread_over
 from gpswb.core.robust.patches import Patches, patches_around, patches_of
@@ -34,6 +34,10 @@ SIMPLER = 3e-4
 
 BATCH = 128
 """Parts fitted together: enough to spread numpy's overhead, few enough for the cache."""
+
+LIKE = 16.0
+"""Ratio of two neighbours' areas from which they are not of one part: the strips of a cylinder
+beside the small facets of its fillet would be most of the part's size, and few of its facets."""
 
 SAMPLE = 48
 """Facets of a part that are fitted: seven unknowns need far fewer, borders make themselves felt."""
@@ -138,7 +142,9 @@ def _descend(
     found: list[Grown] = []
     doubt = np.zeros(len(free))
     least = LEAST
+    area = np.maximum(mesh.areas[graph.pairs], 1e-300)
     flat = np.abs(graph.pair_dihedral) < CREASE
+    flat &= np.abs(np.log(area[:, 0] / area[:, 1])) < np.log(LIKE)
     while True:
         open_ = free & (smooth <= tolerance)
         part = connected_parts(graph, np.where(open_, group, -1), flat)
@@ -296,15 +302,20 @@ def explain(
     freeform = np.zeros(len(patches.centre))
     left = np.arange(len(patches.centre))
     for robust in (False, True):
-        # A torus has too many unknowns to choose its points as well.
-        for kind in KINDS[:-1] if robust else KINDS:
+        for kind in KINDS:
+            if robust:
+                # A torus has too many unknowns to choose its points without a good first guess.
+                left = left[(freeform[left] > 0.0) | (kind != "torus")]
             if not len(left):
-                return hypotheses, freeform
+                continue
             some = patches.take(left)
             floor = float(np.median(tolerance / some.scale)) if robust else None
-            local = fit_patches(
-                kind, some.points, some.weights, some.centroids, some.normals, floor
-            )
+            if robust and kind == "torus":
+                local = fit(kind, nearest[left], some.points, some.weights, floor)
+            else:
+                local = fit_patches(
+                    kind, some.points, some.weights, some.centroids, some.normals, floor
+                )
             world = to_world(local, some.centre, some.scale, kind)
             d, _ = distance(kind, local, some.points)
             d = np.where(some.weights > 0, np.abs(d), 0.0)
@@ -318,11 +329,14 @@ def explain(
                 if seed is not None:
                     score = float(share[row] * size[left[row]])
                     hypotheses.append(Hypothesis(kind, world[row], seed, score))
-            if kind == "torus":
+            if kind == "torus" and not robust:
+                nearest = np.zeros((len(freeform), 8))
+                nearest[left] = local
                 worst = d.max(axis=1)
                 looks = ~good & (worst < FREEFORM * _sagitta(some))
                 freeform[left[looks]] = (worst * some.scale)[looks]
-                good = good | looks
+            # What a robust fit explains in part is no freeform surface.
+            freeform[left[good]] = 0.0
             left = left[~good]
         left = left[patches.weights[left].sum(axis=1) >= ROBUST_LEAST]
     return hypotheses, freeform

@@ -44,6 +44,10 @@ def fit_patches(
     Returns:
         (b, 8) surfaces, see ``surfaces``.
     """
+    if robust_floor is not None:
+        # Two large facets of a plane beside a fillet would decide by their area alone.
+        length = np.linalg.norm(normals, axis=2, keepdims=True)
+        normals = normals / np.where(length > 0.0, length, 1.0)
     if kind == "torus":
         starts = _torus_starts(points, weights, centres, normals)
     elif kind == "cone":
@@ -199,7 +203,7 @@ def fit(
     middle = (weights[:, None] @ points)[:, 0] / np.maximum(weights.sum(axis=1), 1e-12)[:, None]
     live = np.arange(b)
     for step in range(iterations):
-        if robust_floor is not None and step >= 3:
+        if robust_floor is not None:
             median = _weighted_median(np.abs(d), weights[live])
             scale[live] = np.maximum(np.minimum(2.0 * median, scale[live] * 0.7), robust_floor)
         w = weights[live] * _influence(d, scale[live])
