@@ -7,10 +7,15 @@ import numpy as np
 
 from gpswb.core.mesh import BoolArray, IntArray, Mesh
 from gpswb.core.robust.growth import Grown, flood, residual
+from gpswb.core.robust.surfaces import distance
 from gpswb.core.robust.topology import FacetGraph
 
 KEPT = 0.5
 """A region that loses more than this share of its facets to larger ones was a piece of them."""
+
+CHORD = 4.0
+"""Times the largest chord error of the rest of a region that a flat polygon in it may have: one
+tessellation keeps its chord error."""
 
 CREASED = 0.5
 """Turning angle (rad) at which a flat polygon is not part of the curved region beside it: the
@@ -54,10 +59,27 @@ def compete(
         flat = facets[certain[polygon[facets]]]
         taken = np.bincount(polygon[flat], minlength=len(certain))
         creased = _creased(graph, facets, polygon, certain)
-        part = certain[polygon[facets]] & ((taken < size) | creased)[polygon[facets]]
+        bridging = _bridging(mesh, g, facets, polygon, certain)
+        part = certain[polygon[facets]] & ((taken < size) | creased | bridging)[polygon[facets]]
         facets = facets[~part]
         free[facets] = False
         out.append(Grown(g.kind, g.surface, facets))
+    return out
+
+
+def _bridging(
+    mesh: Mesh, grown: Grown, facets: IntArray, polygon: IntArray, certain: BoolArray
+) -> BoolArray:
+    """(k,) certain polygons whose facets pass far below the surface that their corners lie on.
+
+    All vertices of a flat end may lie on the circle at which the fillet around it touches it.
+    """
+    d, _ = distance(grown.kind, grown.surface[None], mesh.centroids[facets][None])
+    chord = np.abs(d[0])
+    flat = certain[polygon[facets]]
+    far = flat & (chord > CHORD * float(chord[~flat].max(initial=0.0)))
+    out = np.zeros(len(certain), dtype=bool)
+    out[polygon[facets[far]]] = True
     return out
 
 

@@ -300,6 +300,7 @@ def explain(
     """
     hypotheses: list[Hypothesis] = []
     freeform = np.zeros(len(patches.centre))
+    nearest = np.zeros((len(freeform), 8))
     left = np.arange(len(patches.centre))
     for robust in (False, True):
         for kind in KINDS:
@@ -330,7 +331,6 @@ def explain(
                     score = float(share[row] * size[left[row]])
                     hypotheses.append(Hypothesis(kind, world[row], seed, score))
             if kind == "torus" and not robust:
-                nearest = np.zeros((len(freeform), 8))
                 nearest[left] = local
                 worst = d.max(axis=1)
                 looks = ~good & (worst < FREEFORM * _sagitta(some))

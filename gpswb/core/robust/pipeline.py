@@ -20,7 +20,7 @@ from gpswb.core.robust.competition import compete
 from gpswb.core.robust.consensus import find_surfaces
 from gpswb.core.robust.decide import by_gap, unless_far_better
 from gpswb.core.robust.describe import describe_surface
-from gpswb.core.robust.evidence import is_exact
+from gpswb.core.robust.evidence import EXACT, is_exact, sagitta
 from gpswb.core.robust.freeform import dissolve
 from gpswb.core.robust.growth import Grown, fit_facets, grow
 from gpswb.core.robust.leftover import label_leftover
@@ -31,7 +31,7 @@ from gpswb.core.stages import Progress, StageClock
 from gpswb.core.thickness import near_profile
 from gpswb.core.tolerances import Tolerances
 
-TIERS: tuple[float, ...] = (1e-7, 1e-5, 1e-4)
+TIERS: tuple[float, ...] = (1e-7, 1e-5, 3e-5, 1e-4)
 """Distances that count as none, as shares of the diagonal, tried one after the other: analytic
 surfaces hold to rounding, the edges of exchanged files only to their modelling tolerance."""
 
@@ -208,10 +208,10 @@ def _recognise(
             regions.append(recognise(r, sample, merged, sigma, tolerances, choose=by_gap))
             continue
         name = CLASS_OF[grown.kind]
-        fine = is_exact(mesh, grown) or grown.kind == "plane"
-        choose = (
-            always(name) if fine else unless_far_better(name, stand_off(grown, sample.vertices))
-        )
+        choose = always(name)
+        off = stand_off(grown, sample.vertices)
+        if sigma == 0.0 and grown.kind != "plane" and sagitta(mesh, grown) < EXACT * off:
+            choose = unless_far_better(name, off, sample.vertices)
         found = recognise(r, sample, merged, sigma, tolerances, choose=choose)
         if found.invariance_class != name:
             regions.append(found)
