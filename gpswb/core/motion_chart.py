@@ -2,8 +2,9 @@
 """A motion seen from the points that it moves: coordinates in which its reference is refined.
 
 The axis of a motion may be far from a region, so that a small turn of it throws the region's orbits
-off the region. These coordinates act where the region is: direction of the velocity at its centre
-(two) and the angular velocity (three), the speed at the centre being 1.
+off the region. These coordinates act where the region is: the angular velocity (three) and the
+velocity at the region's centre (three), in units of the region's mean speed. One of the six is the
+speed, which changes nothing.
 """
 
 from __future__ import annotations
@@ -37,7 +38,7 @@ class MotionChart:
     @property
     def freedoms(self) -> int:
         """Number of coordinates: a translation has no angular velocity."""
-        return 2 if self.invariance_class == "prismatic" else 5
+        return 2 if self.invariance_class == "prismatic" else 6
 
     def moved(self, step: FloatArray) -> Reference:
         """The reference after a (q,) step in the coordinates."""
@@ -48,11 +49,9 @@ class MotionChart:
             return Reference(self.reference.point, direction / float(np.linalg.norm(direction)))
         pitch = self.reference.lead / (2.0 * np.pi)
         velocity = np.cross(d, self.centre - self.reference.point) + pitch * d
-        speed = max(float(np.linalg.norm(velocity)), 1e-300)
-        omega, velocity = d / speed, velocity / speed
-        u, v, _ = axis_frame(velocity)
-        omega = omega + step[2:5] / self.size
-        velocity = velocity + step[0] * u + step[1] * v
+        speed = float(np.hypot(np.linalg.norm(velocity), self.size))
+        omega = d / speed + step[:3] / self.size
+        velocity = velocity / speed + step[3:6]
         if self.invariance_class == "revolute":
             velocity = velocity - (omega @ velocity) / max(float(omega @ omega), 1e-300) * omega
         found = screw(np.concatenate([omega, velocity - np.cross(omega, self.centre)]))

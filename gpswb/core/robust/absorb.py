@@ -24,6 +24,9 @@ surfaces whose curvatures differ by a third leave as much."""
 SHARE = 0.5
 """Share of a piece's border across which it must continue smoothly into the larger region."""
 
+TOUCH = 0.05
+"""The same for a piece that has a motion of its own: it may be the end of a thread, say."""
+
 OFF = 0.1
 """Share of a piece's own extent that its vertices may stand off the surface that takes it."""
 
@@ -68,24 +71,24 @@ def absorb_pieces(
         kept[i] = g.kind == "plane" or (exact and len(g.facets) >= few) or kept[i]
     for _ in range(ROUNDS):
         size = np.bincount(out[out >= 0], minlength=len(kept))
-        pieces = np.flatnonzero(
-            (size > 0) & ~kept & ((size < few) | (np.arange(len(kept)) < len(surfaces)))
-        )
+        pieces = np.flatnonzero((size > 0) & ~kept)
         names = None
         moved = False
         for piece in pieces[np.argsort(size[pieces], kind="stable")]:
             facets = np.flatnonzero(out == piece)
-            host = _host(mesh, graph, out, facets)
+            own = piece >= len(surfaces) and size[piece] >= few  # a face unless the motion goes on
+            host = _host(mesh, graph, out, facets, TOUCH if own else SHARE)
             if host < 0 or (out == host).sum() < 2 * len(facets):
                 continue
             if host < len(surfaces):
-                fits = _near(mesh, surfaces[host], facets)
+                fits = not own and _near(mesh, surfaces[host], facets)
             else:
                 if names is None:
                     names = _names(mesh, first, out, len(surfaces), sigma, tolerances)
-                fits = names[host] == "complex" or _keeps(
-                    mesh, first, out, host, facets, names[host], sigma, tolerances
-                )
+                if names[host] == "complex":
+                    fits = not own
+                else:
+                    fits = _keeps(mesh, first, out, host, facets, names[host], sigma, tolerances)
             if fits:
                 out[facets] = host
                 moved = True
@@ -94,8 +97,9 @@ def absorb_pieces(
     return out
 
 
-def _host(mesh: Mesh, graph: FacetGraph, label: IntArray, facets: IntArray) -> int:
-    """The label that facets continue into along at least ``SHARE`` of their border, else -1."""
+def _host(mesh: Mesh, graph: FacetGraph, label: IntArray, facets: IntArray, share: float) -> int:
+    """The largest label that facets continue into where they do so along a share of their border,
+    and into it along half as much; -1 where there is none."""
     own = label[facets[0]]
     neighbour = graph.neighbour[facets]
     other = np.where(neighbour >= 0, label[np.maximum(neighbour, 0)], -1)
@@ -106,10 +110,13 @@ def _host(mesh: Mesh, graph: FacetGraph, label: IntArray, facets: IntArray) -> i
     # A facet that is folded over lies in the region beside it all the same.
     smooth = border & (other >= 0) & (np.minimum(turn, np.pi - turn) < SMOOTH)
     total = np.bincount(other[smooth], length[smooth])
-    if not len(total):
+    whole = float(length[border].sum())
+    if total.sum() < share * whole:
         return -1
-    best = int(np.argmax(total))
-    return best if total[best] >= SHARE * float(length[border].sum()) else -1
+    hosts = np.flatnonzero(total >= 0.5 * share * whole)
+    # Another piece may share more of the border: it is the larger region that is continued.
+    size = np.bincount(label[label >= 0])
+    return int(hosts[np.argmax(size[hosts])]) if len(hosts) else -1
 
 
 def _near(mesh: Mesh, host: Grown, facets: IntArray) -> bool:
