@@ -14,15 +14,18 @@ from gpswb.core.mesh import BoolArray, FloatArray, IntArray
 _GAIN = 1e-6
 """Least gain (sum of opposite angles above pi, rad): equal diagonals must not flip for ever."""
 
-_LEAST_COSINE = 0.3
+LEAST_COSINE = 0.3
+"""Between the normal of a facet and the exact ones: a facet below stands across its surface."""
 _PER_TRIANGLE = ("triangles", "face", "uv", "normal", "edge", "side", "ends", "free")
 
 
 def flip(mesh: Tessellation, fresh: BoolArray | None = None, rounds: int = 12) -> Tessellation:
     """Flip sides inside faces until Delaunay (opposite angles in space sum to at most pi).
 
-    A flip is made only where the two new triangles keep their orientation in parameter space and
-    agree with the exact normals; sides on B-rep edges stay as they are.
+    A flip is made only where the two new triangles lie the right way up in parameter space and
+    agree with the exact normals; sides on B-rep edges stay as they are. A triangle that is turned
+    over in parameter space is flipped away if it can be: a vertex may have moved across a side when
+    it went from a chord to its curved edge.
 
     Args:
         mesh: the tessellation.
@@ -30,12 +33,13 @@ def flip(mesh: Tessellation, fresh: BoolArray | None = None, rounds: int = 12) -
         rounds: at most so many rounds; the work shrinks from one to the next.
     """
     fresh = np.ones(len(mesh.triangles), dtype=bool) if fresh is None else fresh
+    up = upward(mesh)
     out = {name: getattr(mesh, name).copy() for name in _PER_TRIANGLE}
     for _ in range(rounds):
         rows = _around(out["triangles"], fresh, len(mesh.vertices))
         part = replace(mesh, **{name: array[rows] for name, array in out.items()})
         first, second = _pairs(part)
-        chosen = _choose(part, first, second) if len(first) else np.zeros(0, dtype=bool)
+        chosen = _choose(part, up[rows], first, second) if len(first) else np.zeros(0, dtype=bool)
         if not chosen.any():
             break
         first, second = first[chosen], second[chosen]
@@ -72,25 +76,30 @@ def _corners(mesh: Tessellation, side: IntArray) -> tuple[IntArray, IntArray]:
     return side // 3, (side % 3)[:, None] + np.array([0, 1, 2])
 
 
-def _choose(mesh: Tessellation, first: IntArray, second: IntArray) -> BoolArray:
+def _choose(mesh: Tessellation, up: FloatArray, first: IntArray, second: IntArray) -> BoolArray:
     t1, c1 = _corners(mesh, first)
     t2, c2 = _corners(mesh, second)
-    ids = mesh.triangles[t1[:, None], c1 % 3]
-    apex = mesh.triangles[t2, c2[:, 2] % 3]
+    at1, at2 = (t1[:, None], c1 % 3), (t2, c2[:, 2] % 3)
+    ids, apex = mesh.triangles[at1], mesh.triangles[at2]
     a, b, c, d = (mesh.vertices[i] for i in (ids[:, 0], ids[:, 1], ids[:, 2], apex))
     gain = _angle(a, c, b) + _angle(a, d, b) - np.pi
-    uv1 = mesh.uv[t1[:, None], c1 % 3]
-    uv_d = mesh.uv[t2, c2[:, 2] % 3]
-    ua, ub, uc = uv1[:, 0], uv1[:, 1], uv1[:, 2]
-    old = _area(ua, ub, uc) + _area(ub, ua, uv_d)
-    new1, new2 = _area(ua, uv_d, uc), _area(uv_d, ub, uc)
-    least = 1e-3 * np.abs(old)
-    # At a pole one parameter means nothing: there the exact normals decide alone.
-    pole = np.asarray((mesh.free > 0).any(axis=1))
-    valid: BoolArray = (np.sign(old) * np.minimum(new1, new2) > least) | pole[t1] | pole[t2]
+    # Corners a, b, c, d of the quadrilateral with their parameters.
+    uv = np.concatenate([mesh.uv[at1], mesh.uv[at2][:, None]], axis=1)
+    free = np.concatenate([mesh.free[at1], mesh.free[at2][:, None]], axis=1)
+    old, new = (
+        np.stack([up[t1] * chart_area(uv[:, k], free[:, k]) for k in pair], axis=1)
+        for pair in (([0, 1, 2], [1, 0, 3]), ([0, 3, 2], [3, 1, 2]))
+    )
     normal = mesh.normal[t1].mean(axis=1) + mesh.normal[t2].mean(axis=1)
-    valid &= _agrees(normal, d - a, c - a) & _agrees(normal, b - d, c - d)
-    wanted = (gain > _GAIN) & valid & (apex != ids[:, 2])
+    margin = 1e-3 * np.abs(old).sum(axis=1)
+    # A triangle that is turned over goes away, or gets smaller, whatever the angles say.
+    turned = old.min(axis=1) < 0
+    valid = new.min(axis=1) > np.where(turned, old.min(axis=1), 0.0) + margin
+    valid &= _agrees(normal, d - a, c - a) | (new[:, 0] < 0)
+    valid &= _agrees(normal, b - d, c - d) | (new[:, 1] < 0)
+    valid &= apex != ids[:, 2]
+    gain = np.where(turned, gain + 2 * np.pi, gain)
+    wanted = (gain > _GAIN) & valid
     # A triangle takes part in its best flip only.
     best = np.zeros(len(mesh.triangles))
     worth = np.where(wanted, gain, 0.0)
@@ -135,7 +144,7 @@ def _apply(mesh: Tessellation, first: IntArray, second: IntArray) -> Tessellatio
 def _agrees(normal: FloatArray, x: FloatArray, y: FloatArray) -> BoolArray:
     """Whether the triangle on x and y looks the same way as the normal, within about 70 degrees."""
     cross = np.cross(x, y)
-    bound = _LEAST_COSINE * np.linalg.norm(cross, axis=1) * np.linalg.norm(normal, axis=1)
+    bound = LEAST_COSINE * np.linalg.norm(cross, axis=1) * np.linalg.norm(normal, axis=1)
     dot: FloatArray = np.einsum("ij,ij->i", normal, cross)
     agrees: BoolArray = (dot > bound) & (dot > 0)
     return agrees
@@ -149,7 +158,22 @@ def _angle(p: FloatArray, q: FloatArray, r: FloatArray) -> FloatArray:
     return angle
 
 
-def _area(p: FloatArray, q: FloatArray, r: FloatArray) -> FloatArray:
-    x, y = q - p, r - p
+def chart_area(uv: FloatArray, free: IntArray) -> FloatArray:
+    """(t,) twice the signed areas in parameter space of triangles (t, 3, 2), where a parameter
+    without meaning (``free`` (t, 3), see `Tessellation`) is the mean of the other corners'."""
+    uv = uv.copy()
+    for axis in (0, 1):
+        lost = free == axis + 1
+        known = np.where(lost, 0.0, uv[..., axis]).sum(axis=1) / np.maximum((~lost).sum(axis=1), 1)
+        uv[..., axis] = np.where(lost, known[:, None], uv[..., axis])
+    x, y = uv[:, 1] - uv[:, 0], uv[:, 2] - uv[:, 0]
     area: FloatArray = x[:, 0] * y[:, 1] - x[:, 1] * y[:, 0]
     return area
+
+
+def upward(mesh: Tessellation) -> FloatArray:
+    """(m,) +1 where the triangles of a face run counter-clockwise in its parameter space, -1 where
+    they run clockwise: most decide, some may be turned over."""
+    area = np.nan_to_num(chart_area(mesh.uv, mesh.free))
+    by_face = np.bincount(mesh.face, area)
+    return np.where(by_face < 0, -1.0, 1.0)[mesh.face]

@@ -11,8 +11,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from gpswb.cad.groups import groups
 from gpswb.cad.kernel import Shape
-from gpswb.cad.surface import outward_normals
+from gpswb.cad.locate import AGREE
+from gpswb.cad.surface import nearest_uv, outward_normals
 from gpswb.cad.weld import Tessellation
 from gpswb.core.mesh import BoolArray, FloatArray, IntArray
 
@@ -89,10 +91,15 @@ def _doubtful(run: IntArray, edge: IntArray) -> BoolArray:
 
 
 def split(
-    mesh: Tessellation, shape: Shape, sides: Sides, marked: BoolArray, size: FloatArray
+    mesh: Tessellation,
+    shape: Shape,
+    sides: Sides,
+    marked: BoolArray,
+    size: FloatArray,
+    middle: FloatArray,
 ) -> Tessellation:
     """Split every marked side, (s,), once; in a triangle the marked side of largest ``size`` (s,)
-    is cut first."""
+    is cut first. ``middle`` (s, 3) is `rim_middles`."""
     hit = marked[sides.number].any(axis=1)
     triangles = np.flatnonzero(hit)
     # Turn each triangle so that the side cut first is side 0.
@@ -100,11 +107,12 @@ def split(
     order = (turn[:, None] + np.arange(3)) % 3
     at = (triangles[:, None], order)
     number = sides.number[at]
-    middle_uv = _middle_uv(mesh, shape, at, marked[number])
-    new_vertex = np.cumsum(marked) - 1 + len(mesh.vertices)
+    new = np.cumsum(marked) - 1
+    points = middle[marked]
+    middle_uv = _middle_uv(mesh, shape, at, marked[number], middle[number])
     middle_normal = _middle_normal(mesh, shape, middle_uv, triangles, marked[number])
-    points = _middle_points(mesh, shape, sides, marked, number, middle_uv, triangles)
-    corner = np.concatenate([mesh.triangles[at], new_vertex[number]], axis=1)
+    _add_inner_points(points, mesh, shape, sides, marked, number, middle_uv, triangles)
+    corner = np.concatenate([mesh.triangles[at], new[number] + len(mesh.vertices)], axis=1)
     uv = np.concatenate([mesh.uv[at], middle_uv], axis=1)
     normal = np.concatenate([mesh.normal[at], middle_normal], axis=1)
     free = np.concatenate([mesh.free[at], np.zeros_like(number)], axis=1)
@@ -148,9 +156,14 @@ def _child_sides(
 
 
 def _middle_uv(
-    mesh: Tessellation, shape: Shape, at: tuple[IntArray, IntArray], marked: BoolArray
+    mesh: Tessellation,
+    shape: Shape,
+    at: tuple[IntArray, IntArray],
+    marked: BoolArray,
+    points: FloatArray,
 ) -> FloatArray:
-    """(h, 3, 2) parameters of the middles of the sides of the triangles ``at``."""
+    """(h, 3, 2) parameters of the middles of the sides of the triangles ``at``; ``points``
+    (h, 3, 3) are the middles of those on B-rep edges."""
     uv, free = mesh.uv[at], mesh.free[at]
     other_uv, other_free = np.roll(uv, -1, axis=1), np.roll(free, -1, axis=1)
     middle = (uv + other_uv) / 2
@@ -162,12 +175,16 @@ def _middle_uv(
     edge, side = mesh.edge[at], mesh.side[at]
     rows = np.flatnonzero((edge >= 0) & marked)
     if len(rows):
-        face = np.repeat(mesh.face[at[0][:, 0]], 3)[rows]
+        owner = np.repeat(mesh.face[at[0][:, 0]], 3)[rows]
+        target = points.reshape(-1, 3)
         t = mesh.ends[at].mean(axis=2).ravel()[rows]
         flat = middle.reshape(-1, 2)
-        key = np.column_stack([face, edge.ravel()[rows], side.ravel()[rows]])
-        for (f, e, s), group in _groups(key):
-            flat[rows[group]] = shape.faces[f].rim_uv(e, s, t[group])
+        key = np.column_stack([owner, edge.ravel()[rows], side.ravel()[rows]])
+        for (f, e, s), group in groups(key):
+            face = shape.faces[f]
+            uv = face.rim_uv(e, s, t[group])
+            # The edge's curves in space and in parameter space may run at different paces.
+            flat[rows[group]] = nearest_uv(face, target[rows[group]], uv, AGREE * shape.diagonal)
     return middle
 
 
@@ -177,14 +194,27 @@ def _middle_normal(
     """(h, 3, 3) exact outward normals at the marked sides' middles ``uv`` (h, 3, 2)."""
     normal = np.zeros((*uv.shape[:2], 3))
     row, k = np.nonzero(marked)
-    for (f,), group in _groups(mesh.face[triangles[row]][:, None]):
+    for (f,), group in groups(mesh.face[triangles[row]][:, None]):
         if shape.faces[f].kind is not None:
             at = row[group], k[group]
             normal[at] = outward_normals(shape.faces[f], uv[at])
     return normal
 
 
-def _middle_points(
+def rim_middles(mesh: Tessellation, shape: Shape, sides: Sides, marked: BoolArray) -> FloatArray:
+    """(s, 3) middles of the marked sides that lie on B-rep edges, on their curves; nan for all
+    others."""
+    points = np.full((len(marked), 3), np.nan)
+    edge = mesh.edge.ravel()[sides.first]
+    on_edge = np.flatnonzero(marked & (edge >= 0))
+    t = mesh.ends.reshape(-1, 2)[sides.first[on_edge]].mean(axis=1)
+    for (e,), group in groups(edge[on_edge][:, None]):
+        points[on_edge[group]] = shape.edge_points(e, t[group])
+    return points
+
+
+def _add_inner_points(
+    points: FloatArray,
     mesh: Tessellation,
     shape: Shape,
     sides: Sides,
@@ -192,15 +222,10 @@ def _middle_points(
     number: IntArray,
     middle_uv: FloatArray,
     triangles: IntArray,
-) -> FloatArray:
-    """(new, 3) positions of the new vertices, in the order of the marked sides."""
+) -> None:
+    """Fill in the positions of the new vertices inside faces."""
     wanted = np.flatnonzero(marked)
-    points = np.empty((len(wanted), 3))
     edge = mesh.edge.ravel()[sides.first[wanted]]
-    t = mesh.ends.reshape(-1, 2)[sides.first[wanted]].mean(axis=1)
-    on_edge = np.flatnonzero(edge >= 0)
-    for (e,), group in _groups(edge[on_edge][:, None]):
-        points[on_edge[group]] = shape.edge_points(e, t[on_edge[group]])
     # One occurrence of each side among the turned triangles gives its parameters and face.
     occurrence = np.empty(len(marked), dtype=np.int64)
     occurrence[number.ravel()] = np.arange(number.size)
@@ -208,20 +233,5 @@ def _middle_points(
     slot = occurrence[wanted[inside]]
     face = mesh.face[triangles[slot // 3]]
     uv = middle_uv.reshape(-1, 2)[slot]
-    for (f,), group in _groups(face[:, None]):
+    for (f,), group in groups(face[:, None]):
         points[inside[group]] = shape.faces[f].derivatives(uv[group])[0]
-    return points
-
-
-def _groups(key: IntArray) -> list[tuple[tuple[int, ...], IntArray]]:
-    """Rows of ``key`` (r, c) that are equal: the row and the indices where it stands."""
-    if not len(key):
-        return []
-    order = np.lexsort(key.T)
-    ordered = key[order]
-    new = np.r_[True, (ordered[1:] != ordered[:-1]).any(axis=1)]
-    start = np.flatnonzero(new)
-    return [
-        (tuple(int(x) for x in ordered[s]), group)
-        for s, group in zip(start, np.split(order, start[1:]), strict=True)
-    ]

@@ -11,6 +11,8 @@ from gpswb.core.mesh import FloatArray
 _NUDGE = 1e-5
 """Step towards the middle of the face, as a fraction of it, where the surface has no normal: at a
 pole or an apex the limit is wanted, and there is no need for it to be exact."""
+_NEWTON_STEPS = 6
+"""Most steps to a nearest point: the start is near, each step squares what is left."""
 
 
 def outward_normals(face: BrepFace, uv: FloatArray) -> FloatArray:
@@ -79,3 +81,35 @@ def largest_curvature(face: BrepFace, uv: FloatArray) -> FloatArray:
     gauss = (second[0] * second[3] - second[1] * second[2]) / safe
     largest = np.abs(mean) + np.sqrt(np.maximum(mean**2 - gauss, 0.0))
     return np.where(flat, np.inf, largest)
+
+
+def nearest_uv(face: BrepFace, points: FloatArray, uv: FloatArray, enough: float) -> FloatArray:
+    """(k, 2) parameters whose surface points lie nearest to ``points`` (k, 3), by Gauss-Newton
+    steps from ``uv`` (k, 2), within the face's parameter box.
+
+    Points that ``uv`` meets within ``enough`` (mm) stay as they are; a step that leads further away
+    isn't made.
+    """
+    best = uv.copy()
+    at, du, dv = face.derivatives(uv)
+    gap = np.linalg.norm(points - at, axis=1)
+    todo = np.flatnonzero(gap > enough)
+    low, high = np.array(face.bounds[0::2]), np.array(face.bounds[1::2])
+    at, du, dv = at[todo], du[todo], dv[todo]
+    for _ in range(_NEWTON_STEPS):
+        if not len(todo):
+            break
+        rest = points[todo] - at
+        e, f, g = (np.einsum("ij,ij->i", a, b) for a, b in ((du, du), (du, dv), (dv, dv)))
+        x, y = np.einsum("ij,ij->i", rest, du), np.einsum("ij,ij->i", rest, dv)
+        determinant = e * g - f * f
+        regular = determinant > 1e-12 * e * g
+        todo, e, f, g, x, y = (a[regular] for a in (todo, e, f, g, x, y))
+        step = np.column_stack([g * x - f * y, e * y - f * x]) / determinant[regular, None]
+        tried = np.clip(best[todo] + step, low, high)
+        at, du, dv = face.derivatives(tried)
+        now = np.linalg.norm(points[todo] - at, axis=1)
+        better = now < 0.99 * gap[todo]
+        best[todo[better]], gap[todo[better]] = tried[better], now[better]
+        todo, at, du, dv = todo[better], at[better], du[better], dv[better]
+    return best
