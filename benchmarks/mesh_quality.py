@@ -28,10 +28,11 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from OCP.BRep import BRep_Tool
 from OCP.gp import gp_Pnt, gp_Pnt2d
 from OCP.ShapeAnalysis import ShapeAnalysis_Surface
 
-from gpswb.cad.defects import facet_normals, find_defects
+from gpswb.cad.defects import facet_normals, find_defects, flat_triangles
 from gpswb.cad.density import STL_DEFLECTION, Density
 from gpswb.cad.faced import FacedMesh
 from gpswb.cad.mesher import tessellate
@@ -41,7 +42,8 @@ from gpswb.cad.sniff import sniff
 from gpswb.cad.surface import outward_normals
 from gpswb.errors import GpswbError
 
-_FLAT = 1e-9
+_PRECISION = 1e-7
+"""Of projections on a surface, mm."""
 
 
 @dataclass(frozen=True)
@@ -88,7 +90,7 @@ def figures(path: Path, density: Density) -> Row:
         gaps += mine.single * closed
         crowded += mine.crowded * simple
     normal, height = facet_normals(mesh)
-    flat = height <= _FLAT * float(np.linalg.norm(np.ptp(mesh.vertices, axis=0)))
+    flat = flat_triangles(mesh, height)
     chord, against = _against_surface(shape, mesh, normal, flat)
     corner = mesh.vertices[mesh.triangles]
     longest = np.linalg.norm(np.roll(corner, -1, axis=1) - corner, axis=2).max(axis=1)
@@ -124,8 +126,6 @@ def _kind_of_body(faces: Sequence[OcpFace]) -> tuple[bool, bool]:
 
 
 def _degenerate(edge: Any) -> bool:
-    from OCP.BRep import BRep_Tool
-
     return bool(BRep_Tool.Degenerated_s(edge))
 
 
@@ -149,18 +149,19 @@ def _against_surface(
 def _nearest(face: OcpFace, at: np.ndarray, corner: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Points of the surface nearest to the points (k, 3), and the outward normals there.
 
-    The search starts at a corner of the triangle, which lies on the surface: a thin part of the
-    face on the other side may be nearer.
+    The search starts from a corner of the triangle, which lies on the surface: the other side of a
+    thin face may be nearer. The nearest point of an elementary surface is known at once.
     """
     analysis = ShapeAnalysis_Surface(face.surface)
     uv = np.empty((len(at), 2))
-    for k, (p, c) in enumerate(zip(at.tolist(), corner.mean(axis=1).tolist(), strict=True)):
-        start = analysis.ValueOfUV(gp_Pnt(*c), 1e-7) if face.elementary else None
-        if start is None:
-            x, y, z = corner[k, 0].tolist()
-            first = analysis.ValueOfUV(gp_Pnt(x, y, z), 1e-7)
-            start = analysis.NextValueOfUV(gp_Pnt2d(first.X(), first.Y()), gp_Pnt(*p), 1e-7, 1.0)
-        uv[k] = start.X(), start.Y()
+    for k, (p, c) in enumerate(zip(at.tolist(), corner[:, 0].tolist(), strict=True)):
+        if face.elementary is not None:
+            found = analysis.ValueOfUV(gp_Pnt(*p), _PRECISION)
+        else:
+            start = analysis.ValueOfUV(gp_Pnt(*c), _PRECISION)
+            from_corner = gp_Pnt2d(start.X(), start.Y())
+            found = analysis.NextValueOfUV(from_corner, gp_Pnt(*p), _PRECISION, 1.0)
+        uv[k] = found.X(), found.Y()
     return face.derivatives(uv)[0], outward_normals(face, uv)
 
 

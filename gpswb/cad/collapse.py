@@ -77,23 +77,25 @@ def _round(
     gone, busy = np.zeros(len(mesh.triangles), dtype=bool), np.zeros(len(mesh.triangles), bool)
     for vertex in movable.tolist():
         ring = np.array(rings[vertex])
-        if busy[ring].any():
-            continue
-        best = _best(mesh, up, ring, vertex)
+        best = None if busy[ring].any() else _best(mesh, up, ring, vertex)
         if best is None:
             continue
-        rows, part = best
+        rows, part, target = best
+        behind = np.flatnonzero((mesh.triangles == target).any(axis=1))
+        # Link condition: a third vertex joined to both would get a second side to the target.
+        if busy[behind].any() or _links(mesh, ring, behind, vertex, target) != 2:
+            continue
         for name in _RING:
             out[name][rows] = getattr(part, name)
         gone[np.setdiff1d(ring, rows)] = True
-        busy[ring] = True
+        busy[ring] = busy[behind] = True
     merged = replace(mesh, **{name: array[~gone] for name, array in out.items()})
     return merged, up[~gone], int(gone.sum())
 
 
 def _best(
     mesh: Tessellation, up: FloatArray, ring: np.ndarray, vertex: int
-) -> tuple[np.ndarray, Tessellation] | None:
+) -> tuple[np.ndarray, Tessellation, int] | None:
     """The collapse of ``vertex`` that leaves the best triangles of its ``ring``; None where none
     leaves fewer bad ones."""
     here = replace(mesh, **{name: getattr(mesh, name)[ring] for name in _RING})
@@ -107,8 +109,16 @@ def _best(
         part = _moved(here, both, vertex, target)
         now = _measure(part, up[ring[~both]])
         if now[0] < measure[0] or (best is not None and now < measure):
-            best, measure = (ring[~both], part), now
+            best, measure = (ring[~both], part, target), now
     return best
+
+
+def _links(
+    mesh: Tessellation, ring: np.ndarray, behind: np.ndarray, vertex: int, target: int
+) -> int:
+    """Number of vertices that are joined to both."""
+    common = np.intersect1d(mesh.triangles[ring], mesh.triangles[behind])
+    return len(np.setdiff1d(common, [vertex, target]))
 
 
 def _measure(mesh: Tessellation, up: FloatArray) -> tuple[int, float]:

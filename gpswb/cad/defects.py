@@ -37,12 +37,18 @@ class Defects:
 def find_defects(mesh: FacedMesh) -> Defects:
     """Count the defects of a mesh."""
     normal, height = facet_normals(mesh)
-    flat = height <= _FLAT * float(np.linalg.norm(np.ptp(mesh.vertices, axis=0)))
+    flat = flat_triangles(mesh, height)
     first, second = adjacent_facets(mesh.triangles)
     turned = np.einsum("ij,ij->i", normal[first], normal[second]) < _FOLD_COSINE
     sound = ~flat[first] & ~flat[second] & (mesh.face[first] == mesh.face[second])
     single, crowded = _sides(mesh.triangles)
     return Defects(int(flat.sum()), int((turned & sound).sum()), single, crowded)
+
+
+def flat_triangles(mesh: FacedMesh, height: FloatArray) -> BoolArray:
+    """(m,) triangles without area, by their least ``height`` (m,), mm."""
+    flat: BoolArray = height <= _FLAT * float(np.linalg.norm(np.ptp(mesh.vertices, axis=0)))
+    return flat
 
 
 def facet_normals(mesh: FacedMesh) -> tuple[FloatArray, FloatArray]:

@@ -97,7 +97,7 @@ def _choose(mesh: Tessellation, up: FloatArray, first: IntArray, second: IntArra
     valid = new.min(axis=1) > np.where(turned, old.min(axis=1), 0.0) + margin
     valid &= _agrees(normal, d - a, c - a) | (new[:, 0] < 0)
     valid &= _agrees(normal, b - d, c - d) | (new[:, 1] < 0)
-    valid &= apex != ids[:, 2]
+    valid &= (apex != ids[:, 2]) & ~_joined(mesh, ids[:, 2], apex)
     gain = np.where(turned, gain + 2 * np.pi, gain)
     wanted = (gain > _GAIN) & valid
     # A triangle takes part in its best flip only.
@@ -114,6 +114,19 @@ def _choose(mesh: Tessellation, up: FloatArray, first: IntArray, second: IntArra
     chosen = np.zeros(len(first), dtype=bool)
     chosen[rows] = (owner[t1[rows]] == rows) & (owner[t2[rows]] == rows)
     return chosen
+
+
+def _joined(mesh: Tessellation, c: IntArray, d: IntArray) -> BoolArray:
+    """Whether a side joins these vertices already: a second one would have four triangles."""
+    n = np.int64(len(mesh.vertices))
+    tail, head = mesh.triangles.ravel(), np.roll(mesh.triangles, -1, axis=1).ravel()
+    sides = np.minimum(tail, head) * n + np.maximum(tail, head)
+    wanted = np.minimum(c, d) * n + np.maximum(c, d)
+    _, first = np.unique(wanted, return_index=True)
+    again = np.ones(len(wanted), dtype=bool)
+    again[first] = False
+    joined: BoolArray = np.isin(wanted, sides) | again
+    return joined
 
 
 def _apply(mesh: Tessellation, first: IntArray, second: IntArray) -> Tessellation:

@@ -10,6 +10,7 @@ from typing import Literal
 
 import numpy as np
 
+from gpswb.cad.defects import find_defects
 from gpswb.cad.density import Density
 from gpswb.cad.features import maximal_features
 from gpswb.cad.kernel import Shape
@@ -66,6 +67,12 @@ def read_solid(
     if len(bare):
         names = ", ".join(faces[i].name for i in bare[:5]) + (" ..." if len(bare) > 5 else "")
         notes = (*notes, f"{len(bare)} of {len(faces)} faces have no triangles: {names}")
+    defects = find_defects(faced)
+    if defects.flat or defects.folded:
+        notes = (
+            *notes,
+            f"the mesh has {defects.flat} triangles without area and {defects.folded} folds",
+        )
     return Solid(
         mesh=Mesh(faced.vertices, faced.triangles),
         facemap=FaceMap(faced.face, faces, maximal_features(shape, truths)),

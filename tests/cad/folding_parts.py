@@ -5,7 +5,8 @@
 - ring: a plane ring 0.01 mm wide about a shaft of 6 mm: narrower than the bend of its chords;
 - blade: an extruded B-spline profile, 40 mm long and 1 mm thick, with a leading edge of 0.1 mm;
 - ball, cone: poles and an apex;
-- wedge: a face whose two borders, an arc and its tangent, leave one point in one direction.
+- moon: an extruded crescent between two arcs that are 0.02 mm apart in their middles, less than
+  the bend of their chords.
 """
 
 from __future__ import annotations
@@ -16,15 +17,17 @@ from pathlib import Path
 from typing import Any
 
 IN_FREECAD = importlib.util.find_spec("FreeCAD") is not None
-NAMES = ("spindle", "ring", "blade", "ball", "cone", "wedge")
+NAMES = ("spindle", "ring", "blade", "ball", "cone", "moon")
 
 ARC = [(0.0, 0.0), (1.0, 2.5), (6.0, 4.5), (20.0, 5.0), (38.0, 3.0), (40.0, 0.0)]
 PROFILE = [
     (0.0, 0.0), (0.04, 0.08), (0.2, 0.16), (6.0, 0.6), (20.0, 0.7), (40.0, 0.1),
     (40.0, -0.1), (20.0, -0.3), (6.0, -0.2), (0.2, -0.1), (0.04, -0.06), (0.0, 0.0),
 ]  # fmt: skip
-_WEDGE = [(0.0, 0.0), (30 * math.sin(0.6), 30 * (1 - math.cos(0.6))), (25.0, 0.0)]
-_WEDGE_MIDDLE = (30 * math.sin(0.3), 30 * (1 - math.cos(0.3)))
+_RADIUS, _ANGLE, _GAP = 30.0, 1.2, 0.02
+MOON_END = _RADIUS * math.sin(_ANGLE), _RADIUS * (1 - math.cos(_ANGLE))
+MOON_MIDDLE = _RADIUS * math.sin(_ANGLE / 2), _RADIUS * (1 - math.cos(_ANGLE / 2))
+MOON_BACK = MOON_MIDDLE[0] - _GAP * math.sin(_ANGLE / 2), MOON_MIDDLE[1] + _GAP
 
 
 def _freecad(name: str) -> Any:
@@ -52,9 +55,9 @@ def _freecad(name: str) -> Any:
         rear = Part.makeLine(Vector(*PROFILE[5], 0), Vector(*PROFILE[6], 0))
         wire = Part.Wire([spline(PROFILE[:6]), rear, spline(PROFILE[6:])])
     else:
-        start, end, corner = (Vector(x, y, 0) for x, y in _WEDGE)
-        arc = Part.Arc(start, Vector(*_WEDGE_MIDDLE, 0), end).toShape()
-        wire = Part.Wire([arc, Part.makeLine(end, corner), Part.makeLine(corner, start)])
+        start, end = Vector(0, 0, 0), Vector(*MOON_END, 0)
+        arcs = [Part.Arc(start, Vector(*m, 0), end).toShape() for m in (MOON_MIDDLE, MOON_BACK)]
+        wire = Part.Wire(arcs)
     return Part.Face(wire).extrude(Vector(0, 0, 20))
 
 
@@ -73,8 +76,8 @@ def _ocp(name: str) -> Any:
     if name == "blade":
         front = cq.Workplane().spline(PROFILE[1:6], includeCurrent=True).lineTo(*PROFILE[6])
         return front.spline(PROFILE[7:], includeCurrent=True).close().extrude(20)
-    wire = cq.Workplane().threePointArc(_WEDGE_MIDDLE, _WEDGE[1])
-    return wire.lineTo(*_WEDGE[2]).close().extrude(20)
+    front = cq.Workplane().threePointArc(MOON_MIDDLE, MOON_END)
+    return front.threePointArc(MOON_BACK, (0, 0)).close().extrude(20)
 
 
 def write(name: str, folder: Path) -> Path:

@@ -17,7 +17,7 @@ from gpswb.cad.read import read_solid
 SOUND = Defects(flat=0, folded=0, single=0, crowded=0)
 
 
-@pytest.mark.parametrize("density", ["auto", "turn=48"])
+@pytest.mark.parametrize("density", ["auto", "turn=8", "turn=48"])
 @pytest.mark.parametrize("name", folding_parts.NAMES)
 def test_refined_mesh_has_no_defect(name: str, density: str, kernel: str, tmp_path: Path) -> None:
     solid = read_solid(folding_parts.write(name, tmp_path), Density.parse(density), kernel)
