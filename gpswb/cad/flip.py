@@ -77,29 +77,28 @@ def _corners(mesh: Tessellation, side: IntArray) -> tuple[IntArray, IntArray]:
 
 
 def _choose(mesh: Tessellation, up: FloatArray, first: IntArray, second: IntArray) -> BoolArray:
-    t1, c1 = _corners(mesh, first)
-    t2, c2 = _corners(mesh, second)
+    area = up * chart_area(mesh.uv, mesh.free)
+    gain = _gain(mesh, first, second)
+    # A triangle that is turned over goes away, or gets smaller, whatever the angles say.
+    least = np.minimum(area[first // 3], area[second // 3])
+    gain[least < 0] += 2 * np.pi
+    rows = np.flatnonzero(gain > _GAIN)
+    gain, least = gain[rows], least[rows]
+    t1, c1 = _corners(mesh, first[rows])
+    t2, c2 = _corners(mesh, second[rows])
     at1, at2 = (t1[:, None], c1 % 3), (t2, c2[:, 2] % 3)
     ids, apex = mesh.triangles[at1], mesh.triangles[at2]
     a, b, c, d = (mesh.vertices[i] for i in (ids[:, 0], ids[:, 1], ids[:, 2], apex))
-    gain = _angle(a, c, b) + _angle(a, d, b) - np.pi
     # Corners a, b, c, d of the quadrilateral with their parameters.
     uv = np.concatenate([mesh.uv[at1], mesh.uv[at2][:, None]], axis=1)
     free = np.concatenate([mesh.free[at1], mesh.free[at2][:, None]], axis=1)
-    old, new = (
-        np.stack([up[t1] * chart_area(uv[:, k], free[:, k]) for k in pair], axis=1)
-        for pair in (([0, 1, 2], [1, 0, 3]), ([0, 3, 2], [3, 1, 2]))
-    )
+    new1, new2 = (up[t1] * chart_area(uv[:, k], free[:, k]) for k in ([0, 3, 2], [3, 1, 2]))
+    margin = 1e-3 * (np.abs(area[t1]) + np.abs(area[t2]))
     normal = mesh.normal[t1].mean(axis=1) + mesh.normal[t2].mean(axis=1)
-    margin = 1e-3 * np.abs(old).sum(axis=1)
-    # A triangle that is turned over goes away, or gets smaller, whatever the angles say.
-    turned = old.min(axis=1) < 0
-    valid = new.min(axis=1) > np.where(turned, old.min(axis=1), 0.0) + margin
-    valid &= _agrees(normal, d - a, c - a) | (new[:, 0] < 0)
-    valid &= _agrees(normal, b - d, c - d) | (new[:, 1] < 0)
-    valid &= (apex != ids[:, 2]) & ~_joined(mesh, ids[:, 2], apex)
-    gain = np.where(turned, gain + 2 * np.pi, gain)
-    wanted = (gain > _GAIN) & valid
+    wanted = np.minimum(new1, new2) > np.minimum(least, 0.0) + margin
+    wanted &= _agrees(normal, d - a, c - a) | (new1 < 0)
+    wanted &= _agrees(normal, b - d, c - d) | (new2 < 0)
+    wanted &= (apex != ids[:, 2]) & ~_joined(mesh, ids[:, 2], apex)
     # A triangle takes part in its best flip only.
     best = np.zeros(len(mesh.triangles))
     worth = np.where(wanted, gain, 0.0)
@@ -108,12 +107,22 @@ def _choose(mesh: Tessellation, up: FloatArray, first: IntArray, second: IntArra
     wanted &= (worth == best[t1]) & (worth == best[t2])
     # Equal gains may still meet in a triangle: the last writer wins.
     owner = np.full(len(mesh.triangles), -1, dtype=np.int64)
-    rows = np.flatnonzero(wanted)
-    owner[t1[rows]] = rows
-    owner[t2[rows]] = rows
+    left = np.flatnonzero(wanted)
+    owner[t1[left]] = left
+    owner[t2[left]] = left
     chosen = np.zeros(len(first), dtype=bool)
-    chosen[rows] = (owner[t1[rows]] == rows) & (owner[t2[rows]] == rows)
+    chosen[rows[left]] = (owner[t1[left]] == left) & (owner[t2[left]] == left)
     return chosen
+
+
+def _gain(mesh: Tessellation, first: IntArray, second: IntArray) -> FloatArray:
+    """By how much the angles opposite each side exceed pi, rad."""
+    t1, c1 = _corners(mesh, first)
+    t2, c2 = _corners(mesh, second)
+    ids, apex = mesh.triangles[t1[:, None], c1 % 3], mesh.triangles[t2, c2[:, 2] % 3]
+    a, b, c, d = (mesh.vertices[i] for i in (ids[:, 0], ids[:, 1], ids[:, 2], apex))
+    gain: FloatArray = _angle(a, c, b) + _angle(a, d, b) - np.pi
+    return gain
 
 
 def _joined(mesh: Tessellation, c: IntArray, d: IntArray) -> BoolArray:
@@ -174,11 +183,13 @@ def _angle(p: FloatArray, q: FloatArray, r: FloatArray) -> FloatArray:
 def chart_area(uv: FloatArray, free: IntArray) -> FloatArray:
     """(t,) twice the signed areas in parameter space of triangles (t, 3, 2), where a parameter
     without meaning (``free`` (t, 3), see `Tessellation`) is the mean of the other corners'."""
-    uv = uv.copy()
-    for axis in (0, 1):
-        lost = free == axis + 1
-        known = np.where(lost, 0.0, uv[..., axis]).sum(axis=1) / np.maximum((~lost).sum(axis=1), 1)
-        uv[..., axis] = np.where(lost, known[:, None], uv[..., axis])
+    poles = np.flatnonzero(free[:, 0] | free[:, 1] | free[:, 2])
+    if len(poles):
+        uv = uv.copy()
+        for axis in (0, 1):
+            lost, at = free[poles] == axis + 1, uv[poles, :, axis]
+            known = np.where(lost, 0.0, at).sum(axis=1) / np.maximum((~lost).sum(axis=1), 1)
+            uv[poles, :, axis] = np.where(lost, known[:, None], at)
     x, y = uv[:, 1] - uv[:, 0], uv[:, 2] - uv[:, 0]
     area: FloatArray = x[:, 0] * y[:, 1] - x[:, 1] * y[:, 0]
     return area
