@@ -9,7 +9,7 @@ import numpy as np
 
 from gpswb.core.initial import InitialPartition
 from gpswb.core.mesh import BoolArray, IntArray, Mesh
-from gpswb.core.robust.evidence import sagitta
+from gpswb.core.robust.evidence import EXACT, sagitta
 from gpswb.core.robust.freeform import SMOOTH
 from gpswb.core.robust.growth import Grown, residual
 from gpswb.core.robust.leftover import classes_of
@@ -66,9 +66,11 @@ def absorb_pieces(
     out = label.copy()
     few = tolerances.confident_facets
     kept = np.bincount(label[sure & (label >= 0)], minlength=int(label.max(initial=-1)) + 1) > 0
+    chance = np.zeros(len(kept), dtype=bool)
     for i, g in enumerate(surfaces):
-        exact = sagitta(mesh, g) >= CHANCE * residual(mesh, g)
-        kept[i] = g.kind == "plane" or (exact and len(g.facets) >= few) or kept[i]
+        bend, off = sagitta(mesh, g), residual(mesh, g)
+        kept[i] |= g.kind == "plane" or (bend >= EXACT * off and len(g.facets) >= few)
+        chance[i] = bend < CHANCE * off
     for _ in range(ROUNDS):
         size = np.bincount(out[out >= 0], minlength=len(kept))
         pieces = np.flatnonzero((size > 0) & ~kept)
@@ -76,7 +78,7 @@ def absorb_pieces(
         moved = False
         for piece in pieces[np.argsort(size[pieces], kind="stable")]:
             facets = np.flatnonzero(out == piece)
-            own = piece >= len(surfaces) and size[piece] >= few  # a face unless the motion goes on
+            own = size[piece] >= few and not chance[piece]  # a face, unless a motion goes on
             host = _host(mesh, graph, out, facets, TOUCH if own else SHARE)
             if host < 0 or (out == host).sum() < 2 * len(facets):
                 continue
