@@ -22,10 +22,10 @@ CHANCE = 300.0
 surfaces whose curvatures differ by a third leave as much."""
 
 SHARE = 0.5
-"""Share of a piece's border across which it must continue smoothly into the larger region."""
+"""Share of a piece's border across which it must continue smoothly into what surrounds it."""
 
 TOUCH = 0.05
-"""The same for a piece that has a motion of its own: it may be the end of a thread, say."""
+"""The same where the larger region has a motion and keeps it: the end of a thread, say."""
 
 OFF = 0.1
 """Share of a piece's own extent that its vertices may stand off the surface that takes it."""
@@ -78,17 +78,17 @@ def absorb_pieces(
         moved = False
         for piece in pieces[np.argsort(size[pieces], kind="stable")]:
             facets = np.flatnonzero(out == piece)
-            own = size[piece] >= few and not chance[piece]  # a face, unless a motion goes on
-            host = _host(mesh, graph, out, facets, TOUCH if own else SHARE)
-            if host < 0 or (out == host).sum() < 2 * len(facets):
+            host, share = _host(mesh, graph, out, facets)
+            if share < TOUCH or (out == host).sum() < 2 * len(facets):
                 continue
+            piecemeal = share >= SHARE and (size[piece] < few or chance[piece])
             if host < len(surfaces):
-                fits = not own and _near(mesh, surfaces[host], facets)
+                fits = piecemeal and _near(mesh, surfaces[host], facets)
             else:
                 if names is None:
                     names = _names(mesh, first, out, len(surfaces), sigma, tolerances)
                 if names[host] == "complex":
-                    fits = not own
+                    fits = piecemeal
                 else:
                     fits = _keeps(mesh, first, out, host, facets, names[host], sigma, tolerances)
             if fits:
@@ -99,9 +99,9 @@ def absorb_pieces(
     return out
 
 
-def _host(mesh: Mesh, graph: FacetGraph, label: IntArray, facets: IntArray, share: float) -> int:
-    """The largest label that facets continue into where they do so along a share of their border,
-    and into it along half as much; -1 where there is none."""
+def _host(mesh: Mesh, graph: FacetGraph, label: IntArray, facets: IntArray) -> tuple[int, float]:
+    """The largest label that facets smoothly continue into, of those that share half as much border
+    as the one that shares most, and the share of the border that is smooth; -1 and 0 for none."""
     own = label[facets[0]]
     neighbour = graph.neighbour[facets]
     other = np.where(neighbour >= 0, label[np.maximum(neighbour, 0)], -1)
@@ -111,14 +111,14 @@ def _host(mesh: Mesh, graph: FacetGraph, label: IntArray, facets: IntArray, shar
     turn = np.abs(graph.dihedral[facets])
     # A facet that is folded over lies in the region beside it all the same.
     smooth = border & (other >= 0) & (np.minimum(turn, np.pi - turn) < SMOOTH)
+    if not smooth.any():
+        return -1, 0.0
     total = np.bincount(other[smooth], length[smooth])
-    whole = float(length[border].sum())
-    if total.sum() < share * whole:
-        return -1
-    hosts = np.flatnonzero(total >= 0.5 * share * whole)
     # Another piece may share more of the border: it is the larger region that is continued.
+    hosts = np.flatnonzero(total >= 0.5 * total.max())
     size = np.bincount(label[label >= 0])
-    return int(hosts[np.argmax(size[hosts])]) if len(hosts) else -1
+    share = float(total.sum()) / max(float(length[border].sum()), 1e-300)
+    return int(hosts[np.argmax(size[hosts])]), share
 
 
 def _near(mesh: Mesh, host: Grown, facets: IntArray) -> bool:
