@@ -151,9 +151,10 @@ def _least_slip(candidates: list[FloatArray], moments: SlippageMoments) -> Float
     """The candidate twist with the least mu; the first on a tie to rounding."""
     m, v = moments.motion[0], moments.metric[0]
     usable = [x for x in candidates if np.isfinite(x).all()] or candidates[:1]
-    mu = [float(x @ m @ x) / max(float(x @ v @ x), 1e-300) for x in usable]
+    # Rounding makes the mu of an exact motion negative as soon as positive.
+    mu = [max(float(x @ m @ x), 0.0) / max(float(x @ v @ x), 1e-300) for x in usable]
     best = min(mu)
-    return next(x for x, value in zip(usable, mu, strict=True) if not value > 1.01 * best + 1e-13)
+    return next(x for x, value in zip(usable, mu, strict=True) if value <= 1.01 * best + 1e-13)
 
 
 def _pure_rotation(moments: SlippageMoments) -> FloatArray:
