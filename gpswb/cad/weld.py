@@ -76,20 +76,20 @@ def weld(patches: Sequence[Patch], faces: Sequence[BrepFace]) -> Tessellation:
     ).reshape(-1, 3)
     corner = np.concatenate([p.triangles + o for p, o in zip(patches, offset, strict=False)])
     face = np.repeat(np.arange(len(patches)), [len(p.triangles) for p in patches])
-    edge, side, ends = _sides(patches, offset, corner)
-    free = _free(patches, offset)[corner]
     triangles = vertex[corner]
     keep = (triangles != np.roll(triangles, -1, axis=1)).all(axis=1)
+    corner = corner[keep]
+    edge, side, ends = _sides(patches, offset, corner, vertex)
     return Tessellation(
         points[first],
         triangles[keep],
         face[keep],
-        uv[corner][keep],
-        normal[corner][keep],
-        edge[keep],
-        side[keep],
-        ends[keep],
-        free[keep],
+        uv[corner],
+        normal[corner],
+        edge,
+        side,
+        ends,
+        _free(patches, offset)[corner],
     )
 
 
@@ -116,7 +116,7 @@ def _labels(patches: Sequence[Patch], offset: IntArray) -> IntArray:
 
 
 def _sides(
-    patches: Sequence[Patch], offset: IntArray, corner: IntArray
+    patches: Sequence[Patch], offset: IntArray, corner: IntArray, vertex: IntArray
 ) -> tuple[IntArray, IntArray, FloatArray]:
     """For each side of each triangle the B-rep edge, its pass and the two edge parameters."""
     total = np.int64(max(int(offset[-1]), 1))
@@ -144,10 +144,45 @@ def _sides(
     wanted = corner * total + np.roll(corner, -1, axis=1)
     at = np.minimum(np.searchsorted(keys, wanted, sorter=order), len(keys) - 1)
     found = keys[order[at]] == wanted
+    _add_poles(keys, wanted, found, order, at, offset, vertex)
     hit = table[order[at[found]]]
     edge[found], side[found] = hit[:, 0].astype(np.int64), hit[:, 1].astype(np.int64)
     ends[found] = hit[:, 2:]
     return edge, side, ends
+
+
+def _add_poles(
+    keys: IntArray,
+    wanted: IntArray,
+    found: BoolArray,
+    order: IntArray,
+    at: IntArray,
+    offset: IntArray,
+    vertex: IntArray,
+) -> None:
+    """Find also border sides that end in another copy of the edge's node: a pole has several, and
+    the triangle between two of them and the edge is gone."""
+    total = np.int64(max(int(offset[-1]), 1))
+    twin = wanted % total * total + wanted // total
+    border = ~np.isin(twin, wanted)
+    if not (border & ~found).any():
+        return
+    left = np.setdiff1d(np.arange(len(keys)), order[at[found]])
+    rank = np.empty(len(keys), dtype=np.int64)
+    rank[order] = np.arange(len(keys))
+    here = {
+        (_patch(keys[i] // total, offset), vertex[keys[i] // total], vertex[keys[i] % total]): i
+        for i in left.tolist()
+    }
+    for row, k in np.argwhere(border & ~found).tolist():
+        a, b = wanted[row, k] // total, wanted[row, k] % total
+        i = here.get((_patch(a, offset), vertex[a], vertex[b]))
+        if i is not None:
+            at[row, k], found[row, k] = rank[i], True
+
+
+def _patch(node: int, offset: IntArray) -> int:
+    return int(np.searchsorted(offset, node, side="right"))
 
 
 def _free(patches: Sequence[Patch], offset: IntArray) -> IntArray:

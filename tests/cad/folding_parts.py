@@ -5,6 +5,7 @@
 - ring: a plane ring 0.01 mm wide about a shaft of 6 mm: narrower than the bend of its chords;
 - blade: an extruded B-spline profile, 40 mm long and 1 mm thick, with a leading edge of 0.1 mm;
 - ball, cone: poles and an apex;
+- lune: a slice of 28 degrees of a ball, whose face has both poles as corners;
 - moon: an extruded crescent between two arcs that are 0.02 mm apart in their middles, less than
   the bend of their chords.
 """
@@ -17,7 +18,7 @@ from pathlib import Path
 from typing import Any
 
 IN_FREECAD = importlib.util.find_spec("FreeCAD") is not None
-NAMES = ("spindle", "ring", "blade", "ball", "cone", "moon")
+NAMES = ("spindle", "ring", "blade", "ball", "cone", "lune", "moon")
 
 ARC = [(0.0, 0.0), (1.0, 2.5), (6.0, 4.5), (20.0, 5.0), (38.0, 3.0), (40.0, 0.0)]
 PROFILE = [
@@ -45,6 +46,8 @@ def _freecad(name: str) -> Any:
         return Part.makeCylinder(6, 10).fuse(Part.makeCylinder(6.01, 4))
     if name == "ball":
         return Part.makeSphere(7)
+    if name == "lune":
+        return Part.makeSphere(7, Vector(0, 0, 0), Vector(0, 0, 1), -90, 90, 28)
     if name == "cone":
         return Part.makeCone(6, 0, 8)
     if name == "spindle":
@@ -68,6 +71,10 @@ def _ocp(name: str) -> Any:
         return cq.Workplane().circle(6).extrude(10).union(cq.Workplane().circle(6.01).extrude(4))
     if name == "ball":
         return cq.Workplane(obj=cq.Solid.makeSphere(7, angleDegrees1=-90))
+    if name == "lune":
+        return cq.Workplane(
+            obj=cq.Solid.makeSphere(7, angleDegrees1=-90, angleDegrees2=90, angleDegrees3=28)
+        )
     if name == "cone":
         return cq.Workplane(obj=cq.Solid.makeCone(6, 0, 8))
     if name == "spindle":
