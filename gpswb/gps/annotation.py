@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from gpswb.errors import InputError
-from gpswb.gps.datum_system import Datum, DatumSystem, datum_system, needed_degrees
+from gpswb.gps.datum_system import Datum, DatumSystem, datum_system, needed_degrees, parse_datums
 from gpswb.gps.feature_table import FeatureTable
 from gpswb.gps.gps_feature import GpsFeature
 from gpswb.gps.on_faces import chosen_features
@@ -45,6 +45,7 @@ def annotate(
     table: FeatureTable,
     datums: Sequence[tuple[str, str]] = (),
     rows: Sequence[SpecificationRow] = (),
+    notation: str = "",
 ) -> Annotation:
     """Annotate a part.
 
@@ -52,6 +53,7 @@ def annotate(
         table: its features.
         datums: letter and choice (``Face5+Face6``, ``Hole 1``) in order of precedence.
         rows: the user's specifications.
+        notation: the datum system of these datums, as ``A|B-C``; each letter in turn if not given.
 
     Raises:
         InputError: a choice or a row doesn't fit the part.
@@ -67,7 +69,9 @@ def annotate(
     suggestions = suggest_datums(table.features, table.frame)
     system = suggestions[0].system if suggestions else None
     if datums:
-        own = [Datum(letter, features) for letter, features in letters.items()]
+        own: Sequence[Datum] = [Datum(letter, features) for letter, features in letters.items()]
+        if notation:
+            own = parse_datums(notation, letters)
         system = datum_system(own, table.frame)
     elif system is not None:
         letters = {datum.name: datum.features for datum in system.datums}

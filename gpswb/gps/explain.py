@@ -26,7 +26,7 @@ def explain_datum_system(system: DatumSystem, needed: int) -> str:
     for datum, lock in zip(system.datums, system.locks, strict=True):
         names = " with ".join(explain_feature(feature) for feature in datum.features)
         only = ", for orientation only," if datum.orientation_only else ""
-        lines.append(f"{datum.name} ({names}){only} {_explain_lock(lock)}.")
+        lines.append(f"{datum.name} ({names}){only} {explain_lock(lock)}.")
     if system.degrees >= needed:
         rest = "" if needed == 6 else f"; the other {_NUMBERS[6 - needed]} no datum of it can lock"
         lines.append(f"Together they lock {_NUMBERS[system.degrees]} of six: complete{rest}.")
@@ -65,7 +65,8 @@ def explain_freedom(freedom: Freedom) -> str:
     return f"{' and '.join(moves)} stays free"
 
 
-def _explain_lock(lock: Lock) -> str:
+def explain_lock(lock: Lock) -> str:
+    """What a letter locks: ``locks one translation and two rotations``."""
     if lock.redundant:
         return "is redundant: it locks nothing that isn't locked already"
     parts = [

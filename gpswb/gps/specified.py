@@ -64,11 +64,17 @@ class GeometricalTolerance:
         return self.value is None
 
     @property
+    def cells(self) -> tuple[str, ...]:
+        """The compartments of the tolerance indicator: symbol, value with modifiers, datums."""
+        value = self.prefix + ("?" if self.value is None else f"{self.value:g}")
+        datums = (datum.notation for datum in self.datums)
+        return (RULES[self.characteristic].symbol, " ".join([value, *self.modifiers]), *datums)
+
+    @property
     def frame(self) -> str:
         """The tolerance indicator on one line: ``⌖ Ø0.1 Ⓜ | A | B``."""
-        value = self.prefix + ("?" if self.value is None else f"{self.value:g}")
-        cells = [" ".join([RULES[self.characteristic].symbol, value, *self.modifiers])]
-        return " | ".join([*cells, *(datum.notation for datum in self.datums)])
+        symbol, *cells = self.cells
+        return f"{symbol} {' | '.join(cells)}"
 
 
 @dataclass(frozen=True, eq=False)
@@ -84,6 +90,11 @@ class SizeTolerance:
     def open(self) -> bool:
         """Whether the deviations are still to be given."""
         return not self.fit and (self.upper is None or self.lower is None)
+
+    @property
+    def cells(self) -> tuple[str, ...]:
+        """A size stands in no frame: one text."""
+        return (self.frame,)
 
     @property
     def frame(self) -> str:

@@ -12,8 +12,8 @@ import numpy as np
 from gpswb.core.invariance import CLASSES, InvarianceClass
 from gpswb.core.mesh import FloatArray, IntArray
 from gpswb.gps.annotation import annotate
-from gpswb.gps.feature_table import feature_table
 from gpswb.gps.relation import relation
+from gpswb.gui.part_features import features_of
 from gpswb.io.colours import NONE, SHAPE_TYPES, Rgb
 from gpswb.io.stored_result import StoredResult
 from gpswb.validation.face_result import facet_classes
@@ -80,6 +80,7 @@ def colouring(
     by: ColourBy,
     palette: Mapping[InvarianceClass, Rgb],
     datums: Sequence[tuple[str, str]] = (),
+    notation: str = "",
 ) -> Colouring:
     """Colours of a result.
 
@@ -88,6 +89,7 @@ def colouring(
         by: what the colours show.
         palette: colours of the classes.
         datums: letter and choice of each datum, for the constraint state; suggested if not given.
+        notation: the datum system of these datums; each letter in turn if not given.
 
     Raises:
         InputError: a datum's choice doesn't fit the part.
@@ -104,7 +106,7 @@ def colouring(
         return _by_facet(stored, partition.region, ())
     if by == "agreement with CAD":
         return _by_face(stored, _agreement(stored), AGREEMENT)
-    return _by_face(stored, _constraint(stored, datums), CONSTRAINT)
+    return _by_face(stored, _constraint(stored, datums, notation), CONSTRAINT)
 
 
 def _by_facet(stored: StoredResult, label: IntArray, rows: Sequence[tuple[str, Rgb]]) -> Colouring:
@@ -155,12 +157,8 @@ def _agreement(stored: StoredResult) -> IntArray:
     )
 
 
-def _constraint(stored: StoredResult, datums: Sequence[tuple[str, str]]) -> IntArray:
-    faces: dict[int, list[str]] = {}
-    for face in stored.faces:
-        for region in face.regions[:1]:
-            faces.setdefault(region, []).append(face.name)
-    annotation = annotate(feature_table(stored.partition, faces), datums)
+def _constraint(stored: StoredResult, datums: Sequence[tuple[str, str]], notation: str) -> IntArray:
+    annotation = annotate(features_of(stored), datums, notation=notation)
     index = {face.name: i for i, face in enumerate(stored.faces)}
     label = np.full(len(stored.faces), 4, dtype=np.int64)
     if annotation.system is None:

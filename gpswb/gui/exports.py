@@ -8,38 +8,17 @@ from pathlib import Path
 from typing import Any
 
 from gpswb.errors import InputError
-from gpswb.gps.annotation import Annotation, annotate
-from gpswb.gps.feature_table import feature_table
-from gpswb.gui.objects.partition import effective_result, stored_datums
+from gpswb.gui.annotation import annotation_of
+from gpswb.gui.objects.partition import effective_result
 from gpswb.io.faces_csv import write_faces
-from gpswb.io.features_csv import write_features_csv
+from gpswb.io.features_csv import write_features_csv, write_specifications_csv
 from gpswb.io.features_json import features_document, write_features_json
 from gpswb.io.labels_npz import write_labels
 from gpswb.io.ply import write_ply
 from gpswb.io.qif import write_qif
 from gpswb.io.result_json import write_result
-from gpswb.io.stored_result import StoredResult
 from gpswb.io.whole import whole_file
 from gpswb.report.part_report import write_report
-
-
-def annotation_of(obj: Any) -> Annotation:
-    """GPS features and datum system of a partition, with the datums that it names.
-
-    Raises:
-        InputError: it has no result, or a datum doesn't fit the part.
-    """
-    stored, _ = effective_result(obj)
-    return annotate(feature_table(stored.partition, faces_of_regions(stored)), stored_datums(obj))
-
-
-def faces_of_regions(stored: StoredResult) -> dict[int, list[str]]:
-    """Names of the faces of each region id; each face goes with the region that has most of it."""
-    faces: dict[int, list[str]] = {}
-    for face in stored.faces:
-        for region in face.regions[:1]:
-            faces.setdefault(region, []).append(face.name)
-    return faces
 
 
 def _result(path: Path, obj: Any) -> None:
@@ -73,6 +52,10 @@ def _features_csv(path: Path, obj: Any) -> None:
     write_features_csv(path, annotation_of(obj))
 
 
+def _specifications_csv(path: Path, obj: Any) -> None:
+    write_specifications_csv(path, annotation_of(obj))
+
+
 def _qif(path: Path, obj: Any) -> None:
     write_qif(path, annotation_of(obj), obj.Source.Label)
 
@@ -83,6 +66,7 @@ FORMATS: Mapping[str, tuple[str, Callable[[Path, Any], None]]] = {
     ".csv": ("Faces", _faces),
     ".features.json": ("GPS features", _features),
     ".features.csv": ("GPS features, table", _features_csv),
+    ".specifications.csv": ("Permitted specifications, table", _specifications_csv),
     ".qif": ("QIF 3.0", _qif),
     ".ply": ("Mesh coloured by class", _ply),
     ".npz": ("Mesh with labels", _labels),

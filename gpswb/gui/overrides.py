@@ -23,24 +23,12 @@ from gpswb.core.region_samples import confined_normals, region_samples
 from gpswb.core.sharp_edges import feature_edges
 from gpswb.core.tolerances import Tolerances
 from gpswb.errors import InputError
+from gpswb.gui.face_keys import FaceKey, face_key, face_keys, find_faces, named_faces
 from gpswb.io.result_json import face_entry, finite, region_entry
 from gpswb.io.stored_result import StoredResult
 from gpswb.validation.face_result import map_back
 
 Action = Literal["merge", "split", "class"]
-SAME_AREA = 1e-6
-"""Relative: areas come from the kernel and repeat to rounding."""
-SAME_CENTRE = 0.01
-"""Of the diagonal: centres come from the mesh, which may be of another density."""
-
-
-@dataclass(frozen=True)
-class FaceKey:
-    """A face as it was when the user named it: area mm², centre mm."""
-
-    name: str
-    area: float
-    centre: tuple[float, float, float]
 
 
 @dataclass(frozen=True)
@@ -63,15 +51,12 @@ def override_on(
     Raises:
         InputError: no such face, or too few, or no class where one is needed.
     """
-    known = {key.name: key for key in _keys(stored)}
-    missing = [name for name in faces if name not in known]
-    if missing or not faces:
-        raise InputError(f"no face {missing[0]!r}" if missing else "no face is chosen")
+    named = named_faces(stored, faces)
     if action == "merge" and len(faces) < 2:
         raise InputError("merging takes at least two faces")
     if (action == "class") != (invariance_class is not None):
         raise InputError("a class is given with the action 'class', and only with it")
-    return Override(action, tuple(known[name] for name in faces), invariance_class)
+    return Override(action, named, invariance_class)
 
 
 def to_json(overrides: Sequence[Override]) -> str:
@@ -100,11 +85,12 @@ def apply_overrides(
     facemap = stored.solid.facemap
     if not overrides or facemap is None:
         return stored, ()
-    keys = _keys(stored)
+    keys = face_keys(stored)
     label = stored.partition.region.copy()
     regions: dict[int, Region] = dict(enumerate(stored.partition.regions))
     for each in overrides:
-        faces = _found(each, keys, stored.solid.mesh.diagonal, notes)
+        faces, moved = find_faces(each.faces, keys, stored.solid.mesh.diagonal)
+        notes += [f"{each.action}: {note}" for note in moved]
         touched = [np.flatnonzero(facemap.face_of_triangle == face) for face in faces]
         touched = [facets[label[facets] >= 0] for facets in touched]
         if each.action == "split":
@@ -181,63 +167,8 @@ def _with_partition(stored: StoredResult, partition: Partition) -> StoredResult:
     return StoredResult(stored.solid, partition, faces, document)
 
 
-def _keys(stored: StoredResult) -> list[FaceKey]:
-    facemap = stored.solid.facemap
-    if facemap is None:
-        return []
-    face, mesh = facemap.face_of_triangle, stored.solid.mesh
-    inside, count = face >= 0, len(facemap.faces)
-    weight = np.bincount(face[inside], mesh.areas[inside], minlength=count)
-    centre = np.stack(
-        [
-            np.bincount(face[inside], (mesh.areas * mesh.centroids[:, k])[inside], minlength=count)
-            for k in range(3)
-        ],
-        axis=1,
-    ) / np.maximum(weight, 1e-300)[:, None]  # fmt: skip
-    return [
-        FaceKey(result.name, result.area, (float(c[0]), float(c[1]), float(c[2])))
-        for result, c in zip(stored.faces, centre, strict=True)
-    ]
-
-
-def _found(
-    override: Override, keys: Sequence[FaceKey], diagonal: float, notes: list[str]
-) -> list[int]:
-    """Indices of the faces that an override means, in the part as it is now."""
-    by_name = {key.name: i for i, key in enumerate(keys)}
-    found: list[int] = []
-    for wanted in override.faces:
-        same = by_name.get(wanted.name)
-        alike = [i for i, key in enumerate(keys) if _alike(key, wanted, diagonal)]
-        if same is not None and same in alike:
-            found.append(same)
-        elif len(alike) == 1:
-            notes.append(f"{override.action}: {wanted.name} is now {keys[alike[0]].name}")
-            found.append(alike[0])
-        elif same is not None:
-            notes.append(f"{override.action}: {wanted.name} has changed")
-            found.append(same)
-        else:
-            notes.append(f"{override.action}: {wanted.name} is gone")
-    return list(dict.fromkeys(found))
-
-
-def _alike(key: FaceKey, wanted: FaceKey, diagonal: float) -> bool:
-    near = float(np.linalg.norm(np.subtract(key.centre, wanted.centre))) <= SAME_CENTRE * diagonal
-    return near and abs(key.area - wanted.area) <= SAME_AREA * max(key.area, wanted.area)
-
-
 def _override(entry: Any) -> Override:
     action, given = entry["action"], entry["invariance_class"]
     if action not in get_args(Action) or (given is not None and given not in CLASSES):
         raise ValueError(f"{action!r} with class {given!r}")
-    faces = tuple(
-        FaceKey(
-            str(face["name"]),
-            float(face["area"]),
-            (float(face["centre"][0]), float(face["centre"][1]), float(face["centre"][2])),
-        )
-        for face in entry["faces"]
-    )
-    return Override(action, faces, given)
+    return Override(action, tuple(face_key(face) for face in entry["faces"]), given)

@@ -10,6 +10,7 @@ import FreeCAD
 import FreeCADGui
 
 from gpswb.errors import InputError
+from gpswb.gui.objects.annotation import is_annotation
 from gpswb.gui.objects.feature import is_feature
 from gpswb.gui.objects.partition import is_partition, partitions, usable_source
 
@@ -18,7 +19,7 @@ def parts(document: Any) -> list[Any]:
     """Objects of a document that can be partitioned, those that nothing else is made of first."""
     found = []
     for obj in document.Objects:
-        if is_partition(obj) or is_feature(obj):
+        if is_partition(obj) or is_feature(obj) or is_annotation(obj):
             continue
         try:
             if usable_source(obj) is obj:
@@ -72,7 +73,9 @@ def chosen_faces(partition: Any) -> list[str]:
     for entry in FreeCADGui.Selection.getSelectionEx():
         if entry.Object is partition.Source or entry.Object is partition:
             found += [name for name in entry.SubElementNames if name.startswith("Face")]
-        elif is_feature(entry.Object) and entry.Object in partition.Group:
+        elif (
+            is_feature(entry.Object) or is_annotation(entry.Object)
+        ) and entry.Object in partition.Group:
             found += [name for _, names in entry.Object.Faces for name in names]
     return list(dict.fromkeys(found))
 

@@ -43,7 +43,10 @@ def read_specifications(path: Path) -> tuple[SpecificationRow, ...]:
     rows = _json(path, text) if path.suffix.lower() == ".json" else _csv(path, text)
     if not rows:
         raise InputError(f"{path}: there is no specification in it")
-    return tuple(_row(path, number, row) for number, row in enumerate(rows, start=1))
+    return tuple(
+        specification_row(f"{path}, specification {number}", row)
+        for number, row in enumerate(rows, start=1)
+    )
 
 
 def _json(path: Path, text: str) -> list[Mapping[str, Any]]:
@@ -63,8 +66,15 @@ def _csv(path: Path, text: str) -> list[Mapping[str, Any]]:
         raise InputError(f"{path}: not CSV ({error})") from None
 
 
-def _row(path: Path, number: int, row: Mapping[str, Any]) -> SpecificationRow:
-    where = f"{path}, specification {number}"
+def specification_row(where: str, row: Mapping[str, Any]) -> SpecificationRow:
+    """One row, by the names of `COLUMNS`.
+
+    Args:
+        where: what an error says before the reason.
+
+    Raises:
+        InputError: it says something that isn't in the table's form.
+    """
     unknown = [str(key) for key in row if key not in COLUMNS]
     if unknown:
         raise InputError(f"{where}: {unknown[0]!r} is none of {', '.join(COLUMNS)}")

@@ -12,7 +12,8 @@ import Part
 import pytest
 
 from gpswb.errors import InputError
-from gpswb.gui.exports import FORMATS, annotation_of, export
+from gpswb.gui.annotation import annotation_of
+from gpswb.gui.exports import FORMATS, export
 from gpswb.gui.fingerprint import shape_fingerprint
 from gpswb.gui.importing import import_part
 from gpswb.gui.objects.feature import features

@@ -19,6 +19,8 @@ MODULES: dict[str, str] = {
     "GPS_Colour": "colour",
     "GPS_Legend": "legend",
     "GPS_Query": "query",
+    "GPS_Datums": "datums",
+    "GPS_Annotate": "annotate",
     "GPS_Report": "report",
     "GPS_Export": "export",
 }
@@ -27,6 +29,7 @@ MODULES: dict[str, str] = {
 GROUPS: tuple[tuple[str, tuple[str, ...]], ...] = (
     ("GPS partition", ("GPS_Import", "GPS_Partition", "GPS_Validate", "GPS_Sweep")),
     ("GPS view", ("GPS_Colour", "GPS_Legend", "GPS_Query")),
+    ("GPS annotation", ("GPS_Datums", "GPS_Annotate")),
     ("GPS results", ("GPS_Report", "GPS_Export")),
 )
 """Toolbars with their buttons; the menu holds the same, with separators between."""

@@ -20,6 +20,7 @@ from gpswb.core.invariance import InvarianceClass
 from gpswb.errors import GpswbError, InputError
 from gpswb.gui import compat, preferences
 from gpswb.gui.fingerprint import shape_fingerprint
+from gpswb.gui.objects.annotation import animate as animate_annotation
 from gpswb.gui.objects.feature import animate as animate_feature
 from gpswb.gui.objects.feature import sync_features
 from gpswb.gui.overrides import Action, apply_overrides, from_json, override_on, to_json
@@ -34,7 +35,8 @@ _PROPERTIES = (
     ("App::PropertyLink", "Source", "GPS", 0, "The part that is partitioned"),
     ("App::PropertyString", "Density", "GPS", 0, "Density of the mesh, as on the command line"),
     ("App::PropertyEnumeration", "Mode", "GPS", 0, "Mode of the partition"),
-    ("App::PropertyString", "Datums", "GPS", 0, "Datum features, as A=Face1,B=Face5+Face6"),
+    ("App::PropertyString", "Datums", "GPS", 1, "Datum features, as A=Face1,B=Face5+Face6"),
+    ("App::PropertyString", "DatumSystem", "GPS", 1, "Datum system of these, as A|B-C"),
     ("App::PropertyEnumeration", "Status", "GPS", 1, "Whether the result is that of the part"),
     ("App::PropertyString", "Message", "GPS", 1, "What went wrong, or what to know"),
     ("App::PropertyStringList", "Classes", "Result", 1, "Invariance class of each face, in order"),
@@ -120,6 +122,8 @@ def partitions(document: Any) -> list[Any]:
                 animate(obj)
             elif hasattr(obj, "LogLikelihood"):
                 animate_feature(obj)
+            elif hasattr(obj, "Annotation"):
+                animate_annotation(obj)
     return [obj for obj in document.Objects if is_partition(obj)]
 
 
@@ -220,6 +224,9 @@ def show_result(obj: Any) -> Iterator[None]:
     obj.Status = CURRENT
     yield
     yield from sync_features(obj, stored)
+    from gpswb.gui.annotation import refresh_annotations
+
+    refresh_annotations(obj)
     obj.purgeTouched()
 
 

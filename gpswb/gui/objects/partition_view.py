@@ -13,6 +13,7 @@ from gpswb.gui.colouring import COLOUR_BY, Colouring, colouring
 from gpswb.gui.compat import QtCore
 from gpswb.gui.facet_nodes import facet_nodes
 from gpswb.gui.icons import icon
+from gpswb.gui.objects.annotation import annotations_of
 from gpswb.gui.objects.feature import features
 from gpswb.gui.objects.partition import STALE, effective_result, partitions, stored_datums
 from gpswb.gui.panels.legend import refresh_legend
@@ -50,7 +51,7 @@ class PartitionView:
 
     def updateData(self, obj: Any, name: str) -> None:
         """Follow the object: ``Status`` is the last property that a run sets."""
-        if name in ("Status", "Datums") and hasattr(obj.ViewObject, "ColourBy"):
+        if name in ("Status", "Datums", "DatumSystem") and hasattr(obj.ViewObject, "ColourBy"):
             self.show(obj.ViewObject)
             obj.ViewObject.signalChangeIcon()
 
@@ -96,7 +97,7 @@ class PartitionView:
         """Give the user's colours back and take the features along."""
         restore_colours(view)
         _show_source(view, True)
-        for feature in features(view.Object):
+        for feature in [*features(view.Object), *annotations_of(view.Object)]:
             view.Object.Document.removeObject(feature.Name)
         return True
 
@@ -132,7 +133,9 @@ def _colours_of(view: Any) -> Colouring | None:
         return None
     try:
         stored, _ = effective_result(obj)
-        return colouring(stored, view.ColourBy, preferences.palette(), stored_datums(obj))
+        return colouring(
+            stored, view.ColourBy, preferences.palette(), stored_datums(obj), obj.DatumSystem
+        )
     except GpswbError as error:
         compat.warn(str(error))
         return None

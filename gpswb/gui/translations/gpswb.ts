@@ -4,6 +4,14 @@
   <context>
     <name>GPS</name>
     <message>
+      <source>A-B is a common datum, A&gt;&lt; only orients; empty: each letter in turn</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Add</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <source>Agreement</source>
       <translation type="unfinished" />
     </message>
@@ -48,6 +56,10 @@
       <translation type="unfinished" />
     </message>
     <message>
+      <source>Change</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <source>Change class …</source>
       <translation type="unfinished" />
     </message>
@@ -85,6 +97,14 @@
     </message>
     <message>
       <source>Cylinder</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Datum system</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Datums</source>
       <translation type="unfinished" />
     </message>
     <message>
@@ -168,6 +188,10 @@
       <translation type="unfinished" />
     </message>
     <message>
+      <source>Lower deviation</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <source>Medium</source>
       <translation type="unfinished" />
     </message>
@@ -189,6 +213,14 @@
     </message>
     <message>
       <source>Mode</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Modifiers</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>No faces for this letter</source>
       <translation type="unfinished" />
     </message>
     <message>
@@ -224,11 +256,19 @@
       <translation type="unfinished" />
     </message>
     <message>
+      <source>Permitted specifications, table</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <source>Plane</source>
       <translation type="unfinished" />
     </message>
     <message>
       <source>Point</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Press a letter, then select its faces.</source>
       <translation type="unfinished" />
     </message>
     <message>
@@ -308,6 +348,10 @@
       <translation type="unfinished" />
     </message>
     <message>
+      <source>Runner-up</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <source>Save table</source>
       <translation type="unfinished" />
     </message>
@@ -316,7 +360,15 @@
       <translation type="unfinished" />
     </message>
     <message>
+      <source>Select a face of the part.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <source>Situation feature</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Specification</source>
       <translation type="unfinished" />
     </message>
     <message>
@@ -332,11 +384,23 @@
       <translation type="unfinished" />
     </message>
     <message>
+      <source>Suggested</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <source>Surface</source>
       <translation type="unfinished" />
     </message>
     <message>
       <source>Sweep density</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Thick frame: recommended; thin: allowed; none, grey: not allowed.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Tolerance class</source>
       <translation type="unfinished" />
     </message>
     <message>
@@ -352,7 +416,15 @@
       <translation type="unfinished" />
     </message>
     <message>
+      <source>Upper deviation</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <source>Validation against CAD</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Value</source>
       <translation type="unfinished" />
     </message>
     <message>
@@ -360,7 +432,19 @@
       <translation type="unfinished" />
     </message>
     <message>
+      <source>Width or diameter of the zone, mm; ? is open</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Without a datum nothing is locked.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <source>You know better</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Zone</source>
       <translation type="unfinished" />
     </message>
     <message>
@@ -372,11 +456,31 @@
       <translation type="unfinished" />
     </message>
     <message>
+      <source>allowed</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>angularity</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>circular run-out</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <source>click a part in the 3-D view or the tree</source>
       <translation type="unfinished" />
     </message>
     <message>
+      <source>coaxiality</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <source>complex</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>concentricity</source>
       <translation type="unfinished" />
     </message>
     <message>
@@ -400,6 +504,10 @@
       <translation type="unfinished" />
     </message>
     <message>
+      <source>cylindricity</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <source>datum</source>
       <translation type="unfinished" />
     </message>
@@ -413,6 +521,10 @@
     </message>
     <message>
       <source>extrusion</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>flatness</source>
       <translation type="unfinished" />
     </message>
     <message>
@@ -448,11 +560,19 @@
       <translation type="unfinished" />
     </message>
     <message>
+      <source>it is no feature of size</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <source>line</source>
       <translation type="unfinished" />
     </message>
     <message>
       <source>line and point</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>line profile</source>
       <translation type="unfinished" />
     </message>
     <message>
@@ -468,11 +588,23 @@
       <translation type="unfinished" />
     </message>
     <message>
+      <source>not allowed</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <source>not oriented</source>
       <translation type="unfinished" />
     </message>
     <message>
       <source>oriented, not located</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>parallelism</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>perpendicularity</source>
       <translation type="unfinished" />
     </message>
     <message>
@@ -496,7 +628,15 @@
       <translation type="unfinished" />
     </message>
     <message>
+      <source>position</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <source>prismatic</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>recommended</source>
       <translation type="unfinished" />
     </message>
     <message>
@@ -513,6 +653,10 @@
     </message>
     <message>
       <source>ridge</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>roundness</source>
       <translation type="unfinished" />
     </message>
     <message>
@@ -544,6 +688,14 @@
       <translation type="unfinished" />
     </message>
     <message>
+      <source>size</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>size, with deviations or a tolerance class</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <source>sphere</source>
       <translation type="unfinished" />
     </message>
@@ -560,11 +712,27 @@
       <translation type="unfinished" />
     </message>
     <message>
+      <source>straightness</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>surface profile</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>symmetry</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <source>the CAD class is disputed</source>
       <translation type="unfinished" />
     </message>
     <message>
       <source>torus</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>total run-out</source>
       <translation type="unfinished" />
     </message>
     <message>
@@ -585,6 +753,17 @@
     </message>
     <message>
       <source>{} of {} features, in {} regions</source>
+      <translation type="unfinished" />
+    </message>
+  </context>
+  <context>
+    <name>GPS_Annotate</name>
+    <message>
+      <source>Put a specification on a feature: what ISO 1101 permits there, and why not the rest</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Specification…</source>
       <translation type="unfinished" />
     </message>
   </context>
@@ -673,6 +852,17 @@
     </message>
     <message>
       <source>Show the mesh with a colour a facet, or the part's faces again</source>
+      <translation type="unfinished" />
+    </message>
+  </context>
+  <context>
+    <name>GPS_Datums</name>
+    <message>
+      <source>Choose datum features, or take the suggested ones: what each letter locks</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Datum system…</source>
       <translation type="unfinished" />
     </message>
   </context>

@@ -4,6 +4,14 @@
   <context>
     <name>GPS</name>
     <message>
+      <source>A-B is a common datum, A&gt;&lt; only orients; empty: each letter in turn</source>
+      <translation>A-B ist ein gemeinsamer Bezug, A&gt;&lt; richtet nur aus; leer: jeder Buchstabe der Reihe nach</translation>
+    </message>
+    <message>
+      <source>Add</source>
+      <translation>Hinzufügen</translation>
+    </message>
+    <message>
       <source>Agreement</source>
       <translation>Übereinstimmung</translation>
     </message>
@@ -48,6 +56,10 @@
       <translation>CAD-Fläche</translation>
     </message>
     <message>
+      <source>Change</source>
+      <translation>Ändern</translation>
+    </message>
+    <message>
       <source>Change class …</source>
       <translation>Klasse ändern …</translation>
     </message>
@@ -86,6 +98,14 @@
     <message>
       <source>Cylinder</source>
       <translation>Zylinder</translation>
+    </message>
+    <message>
+      <source>Datum system</source>
+      <translation>Bezugssystem</translation>
+    </message>
+    <message>
+      <source>Datums</source>
+      <translation>Bezüge</translation>
     </message>
     <message>
       <source>Deflection</source>
@@ -168,6 +188,10 @@
       <translation>Steigung</translation>
     </message>
     <message>
+      <source>Lower deviation</source>
+      <translation>Unteres Abmaß</translation>
+    </message>
+    <message>
       <source>Medium</source>
       <translation>Mittel</translation>
     </message>
@@ -190,6 +214,14 @@
     <message>
       <source>Mode</source>
       <translation>Modus</translation>
+    </message>
+    <message>
+      <source>Modifiers</source>
+      <translation>Modifikatoren</translation>
+    </message>
+    <message>
+      <source>No faces for this letter</source>
+      <translation>Keine Flächen für diesen Buchstaben</translation>
     </message>
     <message>
       <source>No partition is shown.</source>
@@ -224,12 +256,20 @@
       <translation>Partitionieren</translation>
     </message>
     <message>
+      <source>Permitted specifications, table</source>
+      <translation>Zulässige Spezifikationen, Tabelle</translation>
+    </message>
+    <message>
       <source>Plane</source>
       <translation>Ebene</translation>
     </message>
     <message>
       <source>Point</source>
       <translation>Punkt</translation>
+    </message>
+    <message>
+      <source>Press a letter, then select its faces.</source>
+      <translation>Einen Buchstaben drücken, dann seine Flächen wählen.</translation>
     </message>
     <message>
       <source>QIF 3.0</source>
@@ -308,6 +348,10 @@
       <translation>Starten</translation>
     </message>
     <message>
+      <source>Runner-up</source>
+      <translation>Zweiter Vorschlag</translation>
+    </message>
+    <message>
       <source>Save table</source>
       <translation>Tabelle speichern</translation>
     </message>
@@ -316,8 +360,16 @@
       <translation>Tabelle speichern…</translation>
     </message>
     <message>
+      <source>Select a face of the part.</source>
+      <translation>Eine Fläche des Teils wählen.</translation>
+    </message>
+    <message>
       <source>Situation feature</source>
       <translation>Situationselement</translation>
+    </message>
+    <message>
+      <source>Specification</source>
+      <translation>Spezifikation</translation>
     </message>
     <message>
       <source>Sphere</source>
@@ -332,12 +384,24 @@
       <translation>Ergebnis wird gespeichert</translation>
     </message>
     <message>
+      <source>Suggested</source>
+      <translation>Vorschlag</translation>
+    </message>
+    <message>
       <source>Surface</source>
       <translation>Oberfläche</translation>
     </message>
     <message>
       <source>Sweep density</source>
       <translation>Dichte variieren</translation>
+    </message>
+    <message>
+      <source>Thick frame: recommended; thin: allowed; none, grey: not allowed.</source>
+      <translation>Dicker Rahmen: empfohlen; dünner: erlaubt; keiner, grau: nicht erlaubt.</translation>
+    </message>
+    <message>
+      <source>Tolerance class</source>
+      <translation>Toleranzklasse</translation>
     </message>
     <message>
       <source>Torus</source>
@@ -352,16 +416,36 @@
       <translation>Unentschieden</translation>
     </message>
     <message>
+      <source>Upper deviation</source>
+      <translation>Oberes Abmaß</translation>
+    </message>
+    <message>
       <source>Validation against CAD</source>
       <translation>Vergleich mit CAD</translation>
+    </message>
+    <message>
+      <source>Value</source>
+      <translation>Wert</translation>
     </message>
     <message>
       <source>Vertices</source>
       <translation>Knoten</translation>
     </message>
     <message>
+      <source>Width or diameter of the zone, mm; ? is open</source>
+      <translation>Breite oder Durchmesser der Zone, mm; ? ist offen</translation>
+    </message>
+    <message>
+      <source>Without a datum nothing is locked.</source>
+      <translation>Ohne Bezug ist nichts festgelegt.</translation>
+    </message>
+    <message>
       <source>You know better</source>
       <translation>Sie wissen es besser</translation>
+    </message>
+    <message>
+      <source>Zone</source>
+      <translation>Zone</translation>
     </message>
     <message>
       <source>agreement with CAD</source>
@@ -372,12 +456,32 @@
       <translation>stimmt überein</translation>
     </message>
     <message>
+      <source>allowed</source>
+      <translation>erlaubt</translation>
+    </message>
+    <message>
+      <source>angularity</source>
+      <translation>Neigung</translation>
+    </message>
+    <message>
+      <source>circular run-out</source>
+      <translation>Rundlauf</translation>
+    </message>
+    <message>
       <source>click a part in the 3-D view or the tree</source>
       <translation>ein Teil in der 3D-Ansicht oder im Baum anklicken</translation>
     </message>
     <message>
+      <source>coaxiality</source>
+      <translation>Koaxialität</translation>
+    </message>
+    <message>
       <source>complex</source>
       <translation>komplex</translation>
+    </message>
+    <message>
+      <source>concentricity</source>
+      <translation>Konzentrizität</translation>
     </message>
     <message>
       <source>cone</source>
@@ -400,6 +504,10 @@
       <translation>zylindrisch</translation>
     </message>
     <message>
+      <source>cylindricity</source>
+      <translation>Zylindrizität</translation>
+    </message>
+    <message>
       <source>datum</source>
       <translation>Bezug</translation>
     </message>
@@ -414,6 +522,10 @@
     <message>
       <source>extrusion</source>
       <translation>Extrusion</translation>
+    </message>
+    <message>
+      <source>flatness</source>
+      <translation>Ebenheit</translation>
     </message>
     <message>
       <source>freeform</source>
@@ -448,12 +560,20 @@
       <translation>Invarianzklasse</translation>
     </message>
     <message>
+      <source>it is no feature of size</source>
+      <translation>es ist kein Maßelement</translation>
+    </message>
+    <message>
       <source>line</source>
       <translation>Gerade</translation>
     </message>
     <message>
       <source>line and point</source>
       <translation>Gerade und Punkt</translation>
+    </message>
+    <message>
+      <source>line profile</source>
+      <translation>Linienprofil</translation>
     </message>
     <message>
       <source>no CAD class</source>
@@ -468,12 +588,24 @@
       <translation>keine</translation>
     </message>
     <message>
+      <source>not allowed</source>
+      <translation>nicht erlaubt</translation>
+    </message>
+    <message>
       <source>not oriented</source>
       <translation>nicht ausgerichtet</translation>
     </message>
     <message>
       <source>oriented, not located</source>
       <translation>ausgerichtet, nicht verortet</translation>
+    </message>
+    <message>
+      <source>parallelism</source>
+      <translation>Parallelität</translation>
+    </message>
+    <message>
+      <source>perpendicularity</source>
+      <translation>Rechtwinkligkeit</translation>
     </message>
     <message>
       <source>planar</source>
@@ -496,8 +628,16 @@
       <translation>Punkt</translation>
     </message>
     <message>
+      <source>position</source>
+      <translation>Position</translation>
+    </message>
+    <message>
       <source>prismatic</source>
       <translation>prismatisch</translation>
+    </message>
+    <message>
+      <source>recommended</source>
+      <translation>empfohlen</translation>
     </message>
     <message>
       <source>refined region</source>
@@ -514,6 +654,10 @@
     <message>
       <source>ridge</source>
       <translation>Rücken</translation>
+    </message>
+    <message>
+      <source>roundness</source>
+      <translation>Rundheit</translation>
     </message>
     <message>
       <source>rut</source>
@@ -544,6 +688,14 @@
       <translation>scharfe Kante</translation>
     </message>
     <message>
+      <source>size</source>
+      <translation>Maß</translation>
+    </message>
+    <message>
+      <source>size, with deviations or a tolerance class</source>
+      <translation>Maß, mit Abmaßen oder Toleranzklasse</translation>
+    </message>
+    <message>
       <source>sphere</source>
       <translation>Kugel</translation>
     </message>
@@ -560,12 +712,28 @@
       <translation>Kugelschale</translation>
     </message>
     <message>
+      <source>straightness</source>
+      <translation>Geradheit</translation>
+    </message>
+    <message>
+      <source>surface profile</source>
+      <translation>Flächenprofil</translation>
+    </message>
+    <message>
+      <source>symmetry</source>
+      <translation>Symmetrie</translation>
+    </message>
+    <message>
       <source>the CAD class is disputed</source>
       <translation>die CAD-Klasse ist strittig</translation>
     </message>
     <message>
       <source>torus</source>
       <translation>Torus</translation>
+    </message>
+    <message>
+      <source>total run-out</source>
+      <translation>Gesamtlauf</translation>
     </message>
     <message>
       <source>trough</source>
@@ -586,6 +754,17 @@
     <message>
       <source>{} of {} features, in {} regions</source>
       <translation>{} von {} Geometrieelementen, in {} Regionen</translation>
+    </message>
+  </context>
+  <context>
+    <name>GPS_Annotate</name>
+    <message>
+      <source>Put a specification on a feature: what ISO 1101 permits there, and why not the rest</source>
+      <translation>Eine Spezifikation an ein Geometrieelement setzen: was ISO 1101 dort erlaubt, und warum das Übrige nicht</translation>
+    </message>
+    <message>
+      <source>Specification…</source>
+      <translation>Spezifikation…</translation>
     </message>
   </context>
   <context>
@@ -674,6 +853,17 @@
     <message>
       <source>Show the mesh with a colour a facet, or the part's faces again</source>
       <translation>Das Netz mit einer Farbe je Dreieck zeigen, oder wieder die Flächen des Teils</translation>
+    </message>
+  </context>
+  <context>
+    <name>GPS_Datums</name>
+    <message>
+      <source>Choose datum features, or take the suggested ones: what each letter locks</source>
+      <translation>Bezugselemente wählen oder die vorgeschlagenen nehmen: was jeder Buchstabe festlegt</translation>
+    </message>
+    <message>
+      <source>Datum system…</source>
+      <translation>Bezugssystem…</translation>
     </message>
   </context>
   <context>

@@ -1,0 +1,95 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""The document objects of datums, datum systems and specifications, children of a partition.
+
+An object keeps its record as JSON; the other properties say what it comes to on the part as it is
+now, and `gpswb.gui.annotation` fills them.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+from gpswb.gui import compat
+from gpswb.gui.annotation_record import Record, read_record, record_text
+
+_PROPERTIES = (
+    # type, name, editor mode (1 read only, 2 hidden), what it is
+    ("App::PropertyLinkSubList", "Faces", 1, "Faces of the part"),
+    ("App::PropertyString", "Feature", 1, "GPS features that the faces make up"),
+    ("App::PropertyStringList", "Cells", 1, "Compartments of the frame"),
+    ("App::PropertyString", "Status", 1, "recommended, allowed, not allowed; or: can't be placed"),
+    ("App::PropertyString", "Message", 1, "Why, or what it locks and leaves free"),
+    ("App::PropertyVector", "Anchor", 2, "Where the leader ends on the part"),
+    ("App::PropertyVector", "Normal", 2, "Of the part there"),
+    ("App::PropertyVectorDistance", "Place", 1, "Where the frame stands"),
+    ("App::PropertyFloat", "Mark", 2, "Height of a datum triangle, mm"),
+    ("App::PropertyString", "Annotation", 2, "The annotation, JSON of schema gpswb-annotation/1"),
+)
+
+
+class AnnotationProxy:
+    """Behaviour of the document object: none, the partition fills it."""
+
+    Type = "GpsAnnotation"
+
+    def __init__(self, obj: Any) -> None:
+        obj.Proxy = self
+        for kind, name, editor, text in _PROPERTIES:
+            if not hasattr(obj, name):
+                obj.addProperty(kind, name, "GPS", text)
+                obj.setEditorMode(name, editor)
+
+    def execute(self, obj: Any) -> None:
+        """Nothing depends on anything that the partition doesn't know first."""
+
+    def dumps(self) -> None:
+        return None
+
+    def loads(self, state: Any) -> None:
+        return None
+
+    __getstate__ = dumps
+    __setstate__ = loads
+
+
+def is_annotation(obj: Any) -> bool:
+    """Whether a document object is an annotation of ours."""
+    return getattr(getattr(obj, "Proxy", None), "Type", "") == AnnotationProxy.Type
+
+
+def annotations_of(partition: Any) -> list[Any]:
+    """The annotations of a partition: datums, systems and specifications as they were made."""
+    return [obj for obj in partition.Group if is_annotation(obj)]
+
+
+def new_annotation(partition: Any, record: Record) -> Any:
+    """Add an annotation to a partition; its other properties are still to be filled."""
+    name = "Gps" + type(record).__name__.removesuffix("Record")
+    obj = partition.Document.addObject("App::FeaturePython", name)
+    animate(obj)
+    set_record(obj, record)
+    partition.addObject(obj)
+    return obj
+
+
+def animate(obj: Any) -> None:
+    """Give a document object and its view their behaviour."""
+    AnnotationProxy(obj)
+    if compat.has_window():
+        from gpswb.gui.objects.annotation_view import AnnotationView
+
+        AnnotationView(obj.ViewObject)
+
+
+def record_of(obj: Any) -> Record:
+    """What an annotation says.
+
+    Raises:
+        InputError: it is damaged.
+    """
+    return read_record(obj.Annotation)
+
+
+def set_record(obj: Any, record: Record) -> None:
+    """Change what an annotation says."""
+    obj.Annotation = record_text(record)
