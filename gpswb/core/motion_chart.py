@@ -17,7 +17,7 @@ from gpswb.core.invariance import InvarianceClass
 from gpswb.core.mesh import FloatArray
 from gpswb.core.reference import Reference, axis_frame, screw
 
-_STEP = 1e-5  # of the derivative's central differences, in coordinates of order one
+_STEP = 1e-7  # of the derivative's differences, in coordinates of order one
 
 
 @dataclass(frozen=True, eq=False)
@@ -64,11 +64,9 @@ class MotionChart:
 
         Tilt alone for prismatic, no lead for revolute: as `quotient_jacobian` has them.
         """
-        columns = []
-        for unit in np.eye(self.freedoms):
-            ahead, behind = (self._off(self.moved(s * _STEP * unit)) for s in (1.0, -1.0))
-            columns.append((ahead - behind) / (2.0 * _STEP))
-        return np.column_stack(columns)
+        here = self._off(self.reference)
+        moves = [self._off(self.moved(_STEP * unit)) for unit in np.eye(self.freedoms)]
+        return np.column_stack([(off - here) / _STEP for off in moves])
 
     def _off(self, other: Reference) -> FloatArray:
         """Tilt, shift and lead of another reference against this one; NaN where it has no axis."""

@@ -105,6 +105,7 @@ def weigh(
     sigma: float,
     tolerances: Tolerances,
     classes: Collection[InvarianceClass] = PARSIMONY,
+    refined: bool = True,
 ) -> Evidence:
     """Fit classes to a region and measure how it stands off.
 
@@ -113,9 +114,10 @@ def weigh(
         sigma: standard deviation of the vertices' noise, mm.
         tolerances: ``distance`` is taken of the region's size here.
         classes: the classes to try.
+        refined: whether references are refined by position, which takes most of the time.
     """
     references = {
-        name: refine_reference(sample.vertices, name, reference)
+        name: refine_reference(sample.vertices, name, reference) if refined else reference
         for name, reference in estimate_references(
             sample.points, sample.normals, sample.weights, classes
         ).items()
@@ -181,6 +183,7 @@ def recognise(
     *,
     choose: Choice = by_parsimony,
     densities: Densities = "corrected",
+    refined: bool = True,
 ) -> Region:
     """Recognise one region and describe it.
 
@@ -192,8 +195,9 @@ def recognise(
         tolerances: thresholds.
         choose: what decides the class.
         densities: which form of the likelihoods to compute.
+        refined: see `weigh`; needless where the class is known.
     """
-    evidence = weigh(sample, sigma, tolerances)
+    evidence = weigh(sample, sigma, tolerances, refined=refined)
     likelihoods = log_likelihoods(
         sample.vertices, evidence.references, evidence.distance["planar"], densities
     )

@@ -210,9 +210,10 @@ def _recognise(
         name = CLASS_OF[grown.kind]
         choose = always(name)
         off = stand_off(grown, sample.vertices)
-        if sigma == 0.0 and grown.kind != "plane" and sagitta(mesh, grown) < EXACT * off:
+        weak = sigma == 0.0 and grown.kind != "plane" and sagitta(mesh, grown) < EXACT * off
+        if weak:
             choose = unless_far_better(name, off, sample.vertices)
-        found = recognise(r, sample, merged, sigma, tolerances, choose=choose)
+        found = recognise(r, sample, merged, sigma, tolerances, choose=choose, refined=weak)
         if found.invariance_class != name:
             regions.append(found)
             continue
