@@ -115,7 +115,7 @@ def _unlabelled(corpus: Path, images: Path) -> Iterator[str]:
         path = corpus / "mesh" / name
         print(path.name, flush=True)
         solid = read_measured(path, "mm")
-        found = run(solid, limit=300.0)
+        found = run(solid)
         n = len(solid.mesh.triangles)
         if found is None:
             lines.append(f"| {name} | {n:,} | | | not done in time | | |")

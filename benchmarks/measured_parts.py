@@ -153,7 +153,7 @@ def noise_section(images: Path) -> Iterator[str]:
         n = len(solid.mesh.vertices)
         noisy = [add_noise(solid, f) if f else solid for f in NOISES]
         for method in METHODS:
-            done = [run(s, method, limit=300.0) for s in noisy]
+            done = [run(s, method) for s in noisy]
             table[n, method] = [r.facts["area"] if r else None for r in done]
             cells = [
                 f"{r.facts['area']:.3f} ({r.facts['face']:.2f})" if r else "too slow" for r in done

@@ -50,7 +50,7 @@ class Run:
     vertex_label: np.ndarray
 
 
-def run(solid: Solid, method: Method = "hybrid", limit: float = 900.0) -> Run | None:
+def run(solid: Solid, method: Method = "hybrid", limit: float = 300.0) -> Run | None:
     """Partition a solid; None if that takes more than ``limit`` seconds of CPU time.
 
     What the same code made of the same mesh before is taken from build/measured, so that a run that
