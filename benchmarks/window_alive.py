@@ -98,7 +98,7 @@ def measure():
     wait(lambda: time.perf_counter() > done + 3, 10)
     (partition,) = partitions(document)
     heart.doing = "mesh shown"
-    partition.ViewObject.DisplayMode = "Facets"
+    partition.ViewObject.Elements = "Facets"
     shown = time.perf_counter()
     wait(lambda: time.perf_counter() > shown + 3, 30)
     print(f"triangles {partition.Triangles}, features {len(partition.Group)}")

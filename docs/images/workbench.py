@@ -53,7 +53,7 @@ def show():
     picture("query")
     shown_panel().reject()
     FreeCADGui.Selection.clearSelection()
-    partition.ViewObject.DisplayMode = "Facets"
+    partition.ViewObject.Elements = "Facets"
     partition.ViewObject.ColourBy = "shape type"
     settle()
     picture("mesh")

@@ -139,7 +139,7 @@ def test_report_and_export(block, partition, tmp_path, monkeypatch):
 
 def test_a_pick_on_the_mesh_means_the_face(block, partition):
     FreeCADGui.Selection.clearSelection()
-    partition.ViewObject.DisplayMode = "Facets"
+    partition.ViewObject.Elements = "Facets"
     FreeCADGui.runCommand("GPS_Query", 0)
     settle()
     view = FreeCADGui.activeDocument().activeView()

@@ -58,6 +58,18 @@ def test_save_and_reopen(block, partition, tmp_path):
     assert has_own_colours(again.Source)
 
 
+def test_features_are_hidden_one_by_one_or_all_with_the_partition(block, partition):
+    first, second, *_ = partition.Group
+    first.ViewObject.Visibility = False
+    settle(0.1)
+    assert not first.ViewObject.Visibility
+    assert second.ViewObject.Visibility
+    partition.ViewObject.ColourBy = "refined region"
+    assert not first.ViewObject.Visibility
+    partition.ViewObject.Visibility = False
+    assert not second.ViewObject.Visibility
+
+
 def test_every_way_to_colour(block, partition):
     count = len(block.Shape.Faces)
     for by in COLOUR_BY:
@@ -75,7 +87,7 @@ def test_every_way_to_colour(block, partition):
 
 def test_mesh_with_a_colour_a_facet(block, partition):
     FreeCADGui.Selection.clearSelection()
-    partition.ViewObject.DisplayMode = "Facets"
+    partition.ViewObject.Elements = "Facets"
     settle()
     assert not block.ViewObject.Visibility
     assert has_own_colours(block)
@@ -86,7 +98,7 @@ def test_mesh_with_a_colour_a_facet(block, partition):
         r, g, b = WHEEL[name]
         alike = [p for p in seen if _hue_is(p, (r, g, b))]
         assert len(alike) > 50, name
-    partition.ViewObject.DisplayMode = "Faces"
+    partition.ViewObject.Elements = "Faces"
     settle()
     assert block.ViewObject.Visibility
     assert is_coloured(block)

@@ -82,7 +82,7 @@ class _Facets(_By):
         from gpswb.gui.selection import with_result
 
         view = with_result().ViewObject
-        view.DisplayMode = FACES if view.DisplayMode == FACETS else FACETS
+        view.Elements = FACES if view.Elements == FACETS else FACETS
         view.Visibility = True
 
 

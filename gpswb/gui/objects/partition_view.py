@@ -32,22 +32,15 @@ class PartitionView:
         watch()
 
     def attach(self, view: Any) -> None:
-        """Make the two display modes."""
+        """Make a place for the mesh.
+
+        It is no display mode: a group that has one shows all its members anew at every change.
+        """
         watch()
         self.obj = view.Object
         self.mesh = coin.SoSeparator()
         self.found: Colouring | None = None
-        view.addDisplayMode(coin.SoSeparator(), FACES)
-        view.addDisplayMode(self.mesh, FACETS)
-
-    def getDisplayModes(self, view: Any) -> list[str]:
-        return [FACES, FACETS]
-
-    def getDefaultDisplayMode(self) -> str:
-        return FACES
-
-    def setDisplayMode(self, mode: str) -> str:
-        return mode
+        view.RootNode.addChild(self.mesh)
 
     def updateData(self, obj: Any, name: str) -> None:
         """Follow the object: ``Status`` is the last property that a run sets."""
@@ -57,7 +50,7 @@ class PartitionView:
 
     def onChanged(self, view: Any, name: str) -> None:
         """Follow the view's own properties."""
-        if name in ("Visibility", "ColourBy", "DisplayMode") and hasattr(view, "UserColours"):
+        if name in ("Visibility", "ColourBy", "Elements") and hasattr(view, "UserColours"):
             self.show(view)
 
     def show(self, view: Any) -> None:
@@ -75,7 +68,7 @@ class PartitionView:
         for other in partitions(view.Object.Document):
             if other is not view.Object and other.Source is view.Object.Source:
                 other.ViewObject.Visibility = False
-        if view.DisplayMode == FACETS:
+        if view.Elements == FACETS:
             restore_colours(view)
             mesh = effective_result(view.Object)[0].solid.mesh
             self.mesh.addChild(facet_nodes(mesh, found.facet_colours))
@@ -146,6 +139,8 @@ def _add_properties(view: Any) -> None:
         return
     view.addProperty("App::PropertyEnumeration", "ColourBy", "GPS", "What the colours show")
     view.ColourBy = list(COLOUR_BY)
+    view.addProperty("App::PropertyEnumeration", "Elements", "GPS", "What has the colours")
+    view.Elements = [FACES, FACETS]
     text = "Whether the part was hidden to show its mesh"
     view.addProperty("App::PropertyBool", "HidSource", "GPS", text)
     text = "The user's own colours of the source's faces, while ours are shown"
