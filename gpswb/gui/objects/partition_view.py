@@ -42,6 +42,10 @@ class PartitionView:
         self.found: Colouring | None = None
         view.RootNode.addChild(self.mesh)
 
+    def isShow(self) -> bool:
+        """The tree asks, which knows of display modes only."""
+        return bool(self.obj.Visibility)
+
     def updateData(self, obj: Any, name: str) -> None:
         """Follow the object: ``Status`` is the last property that a run sets."""
         if name in ("Status", "Datums", "DatumSystem") and hasattr(obj.ViewObject, "ColourBy"):
