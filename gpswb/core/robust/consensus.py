@@ -126,7 +126,7 @@ def find_surfaces(
         if sum(len(g.facets) for g in new) < WORTHWHILE * free.sum():
             break
         group = np.zeros(len(free), dtype=np.int64)
-    return found + _around_seeds(mesh, graph, free, tolerance, smooth)
+    return found + _around_seeds(mesh, graph, free, tolerance, smooth, exact)
 
 
 def _descend(
@@ -215,14 +215,27 @@ def _grow_all(
 
 
 def _around_seeds(
-    mesh: Mesh, graph: FacetGraph, free: BoolArray, tolerance: float, smooth: FloatArray
+    mesh: Mesh,
+    graph: FacetGraph,
+    free: BoolArray,
+    tolerance: float,
+    smooth: FloatArray,
+    exact: bool,
 ) -> list[Grown]:
-    """Surfaces from the neighbourhood of every facet that is left in small groups."""
+    """Surfaces from the neighbourhoods of facets that are left.
+
+    Halves may cut a narrow face lengthwise, its neighbourhoods don't. Every facet of a small group
+    is tried; of large groups, where the tolerance is that of rounding, some that are spread.
+    """
     found: list[Grown] = []
-    group = connected_parts(graph, np.where(free, 0, -1), np.ones(len(graph.pairs), dtype=bool))
-    few = np.append(np.bincount(group[group >= 0]) <= SMALL, False)[group]
     for rings in RINGS:
-        seeds = np.flatnonzero(free & few & (smooth <= tolerance))
+        group = connected_parts(graph, np.where(free, 0, -1), np.ones(len(graph.pairs), dtype=bool))
+        few = np.append(np.bincount(group[group >= 0]) <= SMALL, False)[group]
+        passable = _passable(graph, free)
+        open_ = free & (smooth <= tolerance) & passable.any(axis=1)
+        seeds = np.flatnonzero(open_ & few)
+        if exact:
+            seeds = np.concatenate([seeds, _spread(mesh, graph, open_ & ~few, rings)])
         seeds = seeds[np.argsort(-mesh.areas[seeds], kind="stable")][:MOST]
         for start in range(0, len(seeds), BATCH):
             batch = seeds[start : start + BATCH]
@@ -237,6 +250,26 @@ def _around_seeds(
             hypotheses.sort(key=lambda h: -h.score)
             found += _grow_all(mesh, graph, hypotheses, free, tolerance)
     return found
+
+
+def _spread(mesh: Mesh, graph: FacetGraph, candidates: BoolArray, spacing: int) -> IntArray:
+    """At most ``MOST`` facets, large ones first, none within so many steps of another."""
+    index = np.flatnonzero(candidates)
+    order = index[np.argsort(-mesh.areas[index], kind="stable")]
+    covered = np.zeros(len(candidates), dtype=bool)
+    seeds: list[int] = []
+    for facet in order.tolist():
+        if covered[facet]:
+            continue
+        seeds.append(facet)
+        if len(seeds) == MOST:
+            break
+        front = np.array([facet])
+        for _ in range(spacing):
+            front = graph.neighbour[front].ravel()
+            front = front[front >= 0]
+            covered[front] = True
+    return np.array(seeds, dtype=np.int64)
 
 
 def _proved(
@@ -333,7 +366,7 @@ def explain(
             if kind == "torus" and not robust:
                 nearest[left] = local
                 worst = d.max(axis=1)
-                looks = ~good & (worst < FREEFORM * _sagitta(some))
+                looks = ~good & (worst < FREEFORM * _sagitta(some)) & (size[left] >= LEAST_HALF)
                 freeform[left[looks]] = (worst * some.scale)[looks]
             # What a robust fit explains in part is no freeform surface.
             freeform[left[good]] = 0.0

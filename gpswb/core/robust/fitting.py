@@ -52,9 +52,11 @@ def fit_patches(
         starts = _torus_starts(points, weights, centres, normals)
     elif kind == "cone":
         # A cone's normals hardly turn on a small patch; its nearest cylinder is the safer start.
-        start = _guess("cylinder", points, weights, centres, normals)
+        start = _cylinder_guess(points, weights, centres, normals)
         start = fit("cylinder", start, points, weights, robust_floor, iterations=10)
         starts = [start, _guess("cone", points, weights, centres, normals)]
+    elif kind == "cylinder":
+        starts = [_cylinder_guess(points, weights, centres, normals)]
     else:
         starts = [_guess(kind, points, weights, centres, normals)]
     if len(starts) > 1:
@@ -67,6 +69,32 @@ def fit_patches(
     else:
         start = starts[0]
     return fit(kind, start, points, weights, robust_floor)
+
+
+def _cylinder_guess(
+    points: FloatArray, weights: FloatArray, centres: FloatArray, normals: FloatArray
+) -> FloatArray:
+    """(b, 8) cylinders from normals, or about the longest extent where that is nearer.
+
+    The normals of a narrow strip along a fillet hardly turn, but the strip itself shows the axis.
+    """
+    guess = _guess("cylinder", points, weights, centres, normals)
+    total = np.maximum(weights.sum(axis=1), 1e-12)
+    mean = (weights[:, None] @ points)[:, 0] / total[:, None]
+    x = (points - mean[:, None]) * np.sqrt(weights)[..., None]
+    e1, e2, axis = np.moveaxis(np.linalg.eigh(np.swapaxes(x, 1, 2) @ x)[1], 2, 0)
+    x = points - mean[:, None]
+    p, q = (np.einsum("bnk,bk->bn", x, e) for e in (e1, e2))
+    p0, q0, radius = _algebraic_circle(p, q, weights)
+    along = np.zeros_like(guess)
+    along[:, :3] = mean + p0[:, None] * e1 + q0[:, None] * e2
+    along[:, 3:6], along[:, 6] = axis, radius
+    error = [
+        np.sum(weights * np.abs(distance("cylinder", trial, points)[0]), axis=1)
+        for trial in (guess, along)
+    ]
+    nearer = np.nan_to_num(error[1], nan=np.inf) < np.nan_to_num(error[0], nan=np.inf)
+    return np.where(nearer[:, None], along, guess)
 
 
 def _torus_starts(
