@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import tempfile
+from collections import Counter
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -30,6 +31,7 @@ from gpswb.cad.density import Density
 from gpswb.cad.fcstd_measured import Measurement
 from gpswb.cad.read import read_solid
 from gpswb.cad.solid import Solid
+from gpswb.core.invariance import CLASSES
 from gpswb.io.measured_file import solid_of_parts
 
 PART = "revolution_part"
@@ -99,6 +101,14 @@ def blade_section(images: Path) -> Iterator[str]:
         f"| noise estimated, mm | {facts['sigma'] * mesh.diagonal:.4f} | – |",
         f"| CPU s | {facts['seconds']:.0f} | – |", "",
     ]  # fmt: skip
+    lines += ["Points taken for another class, share of all the part's points: "]
+    wrong = Counter(
+        (CLASSES[a], CLASSES[b] if b >= 0 else "none")
+        for a, b in zip(scan.label[real].tolist(), label[real].tolist(), strict=True)
+        if a != b
+    )
+    said = (f"{a} as {b} {100 * n / real.sum():.1f} %" for (a, b), n in wrong.most_common(4))
+    lines += [", ".join(said) + ".", ""]
     yield "\n".join(lines)
 
 
