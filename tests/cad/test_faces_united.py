@@ -94,6 +94,38 @@ def test_a_step_keeps_planes_apart(nurbs: bool, kernel: str, tmp_path: Path) -> 
     assert len(set(found.feature_of_face[round_].tolist())) == 1
 
 
+def lemon() -> Any:
+    """An arc turned round an axis that it is nearer to than to its centre, cut through the axis."""
+    if IN_FREECAD:
+        import FreeCAD
+        import Part
+
+        v = FreeCAD.Vector
+        arc = Part.Arc(v(0, 0, -6), v(4, 0, 0), v(0, 0, 6)).toShape()
+        face = Part.Face(Part.Wire([arc, Part.makeLine(v(0, 0, 6), v(0, 0, -6))]))
+        parts = [face.revolve(v(), v(0, 0, 1), 180)]
+        parts.append(parts[0].copy())
+        parts[1].rotate(v(), v(0, 0, 1), 180)
+        return parts[0].fuse(parts[1])
+    import cadquery as cq
+
+    half = (
+        cq.Workplane("XZ")
+        .moveTo(0, -6)
+        .threePointArc((4, 0), (0, 6))
+        .close()
+        .revolve(180, (0, 0, 0), (0, 1, 0))
+    )
+    return half.val().fuse(half.rotate((0, 0, 0), (0, 0, 1), 180).val())
+
+
+def test_halves_of_a_torus_wider_than_its_ring_are_one_feature(kernel: str, tmp_path: Path) -> None:
+    found = facemap(lemon(), tmp_path, kernel, False)
+    round_ = [i for i, f in enumerate(found.faces) if f.truth and f.truth.nominal == "revolute"]
+    assert len(round_) == 2
+    assert len(set(found.feature_of_face[round_].tolist())) == 1
+
+
 def test_features_number_every_face(kernel: str, tmp_path: Path) -> None:
     found = facemap(halves("cone", 0.0), tmp_path, kernel, False)
     numbers = np.unique(found.feature_of_face)

@@ -37,5 +37,11 @@ def test_curvature_is_no_noise() -> None:
         assert estimate_noise(mesh) < 1e-9
 
 
+@pytest.mark.parametrize("n", [1, 2])
+def test_a_block_of_few_triangles_has_none(n: int) -> None:
+    """Every vertex is at an edge, so that every fit bends; but facets lie in one plane."""
+    assert estimate_noise(box(n=n)) == 0.0
+
+
 def test_a_mesh_too_small_for_a_fit_has_none() -> None:
     assert estimate_noise(box(n=1)) == 0.0
