@@ -7,6 +7,7 @@ import hashlib
 import json
 import multiprocessing
 import resource
+import signal
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -20,7 +21,7 @@ from gpswb.cad.density import Density
 from gpswb.cad.solid import Solid
 from gpswb.core.initial import unvoted_types
 from gpswb.core.invariance import CLASSES
-from gpswb.core.pipeline import Method
+from gpswb.core.pipeline import Method, Mode
 from gpswb.scan.point_regions import region_of_points
 from gpswb.validation.face_result import facet_classes
 from gpswb.validation.validate import validate
@@ -50,26 +51,33 @@ class Run:
     vertex_label: np.ndarray
 
 
-def run(solid: Solid, method: Method = "hybrid", limit: float = 300.0) -> Run | None:
+def run(
+    solid: Solid, method: Method = "hybrid", limit: float = 300.0, mode: Mode = "robust"
+) -> Run | None:
     """Partition a solid; None if that takes more than ``limit`` seconds of CPU time.
 
     What the same code made of the same mesh before is taken from build/measured, so that a run that
     was cut short goes on where it stopped.
+
+    Raises:
+        ChildProcessError: the partition ended in another way, which is not kept.
     """
     KEPT.mkdir(parents=True, exist_ok=True)
-    out = KEPT / f"{_key(solid, method, limit)}.npz"
+    out = KEPT / f"{_key(solid, mode, method, limit)}.npz"
     if not out.exists():
         child = multiprocessing.get_context("fork").Process(
-            target=_work, args=(solid, method, limit, out)
+            target=_work, args=(solid, mode, method, limit, out)
         )
         child.start()
         child.join()
-        if not out.exists():
+        if child.exitcode == -signal.SIGXCPU:
             np.savez(out, facts="null")
+        elif not out.exists():
+            raise ChildProcessError(f"{mode} {method} ended with {child.exitcode}")
     with np.load(out, allow_pickle=False) as kept:
         arrays = {name: kept[name] for name in kept.files if name != "facts"}
         facts = json.loads(str(kept["facts"]))
-    print(f"  {len(solid.mesh.triangles)} triangles, {method}: {facts}", flush=True)
+    print(f"  {len(solid.mesh.triangles)} triangles, {mode} {method}: {facts}", flush=True)
     return Run(facts=facts, **arrays) if facts else None
 
 
@@ -86,20 +94,20 @@ CODE = _code()
 """Taken once, as the code is: it may change on disk while a long run goes on."""
 
 
-def _key(solid: Solid, method: Method, limit: float) -> str:
+def _key(solid: Solid, mode: Mode, method: Method, limit: float) -> str:
     """Name of a run: of the code that partitions, the mesh and the options."""
-    said = hashlib.sha256(f"{method} {limit} {solid.pointmap is not None}".encode())
+    said = hashlib.sha256(f"{mode} {method} {limit} {solid.pointmap is not None}".encode())
     said.update(CODE)
     said.update(solid.mesh.vertices.tobytes())
     said.update(solid.mesh.triangles.tobytes())
     return said.hexdigest()[:24]
 
 
-def _work(solid: Solid, method: Method, limit: float, out: Path) -> None:
+def _work(solid: Solid, mode: Mode, method: Method, limit: float, out: Path) -> None:
     before = resource.getrusage(resource.RUSAGE_SELF).ru_utime
     resource.setrlimit(resource.RLIMIT_CPU, (int(limit), int(limit) + 5))
     mesh = solid.mesh
-    _, result = partition_solid(solid, Settings(Density("auto"), "robust", method, "ocp"))
+    _, result = partition_solid(solid, Settings(Density("auto"), mode, method, "ocp"))
     facts: dict[str, Any] = {
         "vertices": len(mesh.vertices),
         "triangles": len(mesh.triangles),
