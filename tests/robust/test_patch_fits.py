@@ -9,7 +9,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from known_surfaces import CURVED, Frame, misfit, patch_mesh, surface_of
 
-from gpswb.core.robust.fitting import fit_patches, velocity_moments
+from gpswb.core.robust.first_guess import velocity_moments
+from gpswb.core.robust.fitting import fit_patches
 from gpswb.core.robust.growth import fit_facets, to_world
 from gpswb.core.robust.patches import patches_around
 from gpswb.core.robust.surfaces import Kind, distance

@@ -9,28 +9,18 @@ grown in order of evidence, and parts that aren't explained are halved and tried
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 
 from gpswb.core.mesh import BoolArray, FloatArray, IntArray, Mesh
-from gpswb.core.reference import spread
-from gpswb.core.robust.evidence import BEND, drifts, enough_evidence, is_exact, sagitta
-from gpswb.core.robust.fitting import fit, fit_patches
-from gpswb.core.robust.growth import Grown, fit_facets, flood, grow, residual, to_world
+from gpswb.core.robust.growth import Grown
+from gpswb.core.robust.hypotheses import FEW, Hypothesis, bend_of, explain
 from gpswb.core.robust.parts import connected_parts, halves, spread_over
-from gpswb.core.robust.patches import Patches, patches_around, patches_of
-from gpswb.core.robust.surfaces import UNKNOWNS, Kind, distance
+from gpswb.core.robust.patches import patches_around, patches_of
+from gpswb.core.robust.proof import LEAST, SAMPLE, proved
 from gpswb.core.robust.topology import FacetGraph
 
 CREASE = np.deg2rad(40.0)
 """Patches don't cross edges that turn by more: coarse tessellations turn by 28.6° (0.5 rad)."""
-
-KINDS: tuple[Kind, ...] = ("cylinder", "cone", "sphere", "torus")
-"""Ruled kinds first: two rings of vertices lie on a cylinder or cone, but also on spheres."""
-
-SIMPLER = 3e-4
-"""Share of a region's height that a simpler surface may leave: less than any modelled draft."""
 
 BATCH = 128
 """Parts fitted together: enough to spread numpy's overhead, few enough for the cache."""
@@ -39,19 +29,9 @@ LIKE = 16.0
 """Ratio of two neighbours' areas from which they are not of one part: the strips of a cylinder
 beside the small facets of its fillet would be most of the part's size, and few of its facets."""
 
-SAMPLE = 48
-"""Facets of a part that are fitted: seven unknowns need far fewer, borders make themselves felt."""
-
-LEAST = 4
-"""Facets that can prove a surface, at least."""
-
 LEAST_BEND = 4.0
 """Tolerances that a part's vertices must leave their mean plane by: a flatter one proves nothing,
 and its halves are flatter still."""
-
-LEAST_HALF = 12
-"""The same for a half of a part where the tolerance is wider than rounding: with few facets, pieces
-of anything lie on some surface."""
 
 MOST = 512
 """Parts of one level that are fitted, larger first, unless some of them are explained: what has
@@ -73,27 +53,6 @@ neighbourhood."""
 
 RINGS: tuple[int, ...] = (2, 4)
 """Sizes of those neighbourhoods, in steps from facet to facet."""
-
-ROBUST_SHARE = 0.3
-"""Share of a part that a robust fit must explain: below it hypotheses are found by chance."""
-
-ROBUST_LEAST = 16
-"""Vertices of a part in which a robust fit may choose; smaller parts are halved instead."""
-
-FREEFORM = 0.03
-"""A part whose best torus leaves less than this share of the part's own height, but more than the
-tolerance, looks like a piece of a freeform surface. Two tangent surfaces of nearly equal curvature
-look so, too, but not the halves of their part: two levels in a row must."""
-
-
-@dataclass(frozen=True)
-class Hypothesis:
-    """A surface that explains a part: ``seed`` lies on it, ``score`` is the number of facets."""
-
-    kind: Kind
-    surface: FloatArray
-    seed: int
-    score: float
 
 
 def find_surfaces(
@@ -158,7 +117,7 @@ def _descend(
             batch = order[start : start + BATCH]
             known = len(found)
             patches = patches_of(mesh, facets[batch])
-            bent = np.flatnonzero(_sagitta(patches) * patches.scale > LEAST_BEND * tolerance)
+            bent = np.flatnonzero(bend_of(patches) * patches.scale > LEAST_BEND * tolerance)
             batch, patches = batch[bent], patches.take(bent)
             if not len(batch):
                 continue
@@ -169,7 +128,7 @@ def _descend(
             _note_freeform(part, batch, freeform, doubt, smooth)
             if start >= MOST and len(found) == known:
                 break
-        least = LEAST if exact else LEAST_HALF
+        least = LEAST if exact else FEW
         worth = np.append(tried & (size > least), False)
         group = halves(graph, np.where(free & worth[part], part, -1), flat)
 
@@ -203,7 +162,7 @@ def _grow_all(
     for h in hypotheses:
         if not free[h.seed]:
             continue
-        grown = _proved(mesh, graph, h, free, tolerance)
+        grown = proved(mesh, graph, h, free, tolerance)
         vain += 1
         if grown is not None:
             found.append(grown)
@@ -270,135 +229,6 @@ def _spread(mesh: Mesh, graph: FacetGraph, candidates: BoolArray, spacing: int) 
             front = front[front >= 0]
             covered[front] = True
     return np.array(seeds, dtype=np.int64)
-
-
-def _proved(
-    mesh: Mesh, graph: FacetGraph, h: Hypothesis, free: BoolArray, tolerance: float
-) -> Grown | None:
-    """The region that a hypothesis grows to, None where it doesn't prove its surface."""
-    touched = flood(mesh, graph, h.kind, h.surface, np.array([h.seed]), free, tolerance)
-    if len(touched) < LEAST:
-        return None
-    rough = Grown(h.kind, h.surface, touched)
-    if not is_exact(mesh, rough) and (
-        sagitta(mesh, rough) < BEND * tolerance or drifts(mesh, graph, rough, tolerance)
-    ):
-        return None
-    grown = grow(mesh, graph, h.kind, h.surface, np.array([h.seed]), free, tolerance)
-    if len(grown.facets):
-        grown = simplest(mesh, graph, grown, free, tolerance)
-    return grown if enough_evidence(mesh, graph, grown, tolerance) else None
-
-
-def simplest(
-    mesh: Mesh, graph: FacetGraph, grown: Grown, free: BoolArray, tolerance: float
-) -> Grown:
-    """The region of a simpler kind, where that explains all of a region as well.
-
-    Two coaxial rings of vertices lie on a sphere, but also on a cylinder or cone; a torus without
-    a hole to speak of is a sphere; a cone takes up what borders stand off a cylinder.
-    """
-    limit = max(tolerance, min(4.0 * tolerance, SIMPLER * sagitta(mesh, grown)))
-    some = grown.facets[spread(len(grown.facets), SAMPLE)]
-    points = mesh.vertices[np.unique(mesh.triangles[grown.facets])]
-    for kind in KINDS[: KINDS.index(grown.kind)]:
-        near = Grown(kind, fit_facets(mesh, kind, some), some)
-        if residual(mesh, near) > limit:
-            continue
-        surface = fit_facets(mesh, kind, grown.facets)
-        if np.abs(distance(kind, surface[None], points[None])[0]).max() <= limit:
-            other = grow(mesh, graph, kind, surface, grown.facets, free, limit)
-            if len(other.facets) >= len(grown.facets):
-                return other
-    return grown
-
-
-def explain(
-    mesh: Mesh, patches: Patches, size: IntArray, tolerance: float
-) -> tuple[list[Hypothesis], FloatArray]:
-    """The simplest surface that explains each patch, where one does.
-
-    Plain least squares first; where a patch crosses a border, a robust fit may still find the
-    surface that most of it lies on.
-
-    Args:
-        mesh: the mesh.
-        patches: b patches.
-        size: (b,) facets of the part that each patch is a sample of.
-        tolerance: distance that counts as none, mm.
-
-    Returns:
-        The hypotheses, and (b,) mm: what the best torus leaves of the patches that look freeform,
-        0 for the others.
-    """
-    hypotheses: list[Hypothesis] = []
-    freeform = np.zeros(len(patches.centre))
-    nearest = np.zeros((len(freeform), 8))
-    left = np.arange(len(patches.centre))
-    for robust in (False, True):
-        for kind in KINDS:
-            if robust:
-                # A torus has too many unknowns to choose its points without a good first guess.
-                left = left[(freeform[left] > 0.0) | (kind != "torus")]
-            if not len(left):
-                continue
-            some = patches.take(left)
-            floor = float(np.median(tolerance / some.scale)) if robust else None
-            if robust and kind == "torus":
-                local = fit(kind, nearest[left], some.points, some.weights, floor)
-            else:
-                local = fit_patches(
-                    kind, some.points, some.weights, some.centroids, some.normals, floor
-                )
-            world = to_world(local, some.centre, some.scale, kind)
-            d, _ = distance(kind, local, some.points)
-            d = np.where(some.weights > 0, np.abs(d), 0.0)
-            inside = (d <= (tolerance / some.scale)[:, None]) & (some.weights > 0)
-            share = inside.sum(axis=1) / np.maximum(some.weights.sum(axis=1), 1.0)
-            # A robust fit chooses its own points: it needs more of them to prove something.
-            good = inside.sum(axis=1) - UNKNOWNS[kind] >= (3 if robust else 2)
-            good &= (share >= (ROBUST_SHARE if robust else 1.0)) & _is_finite(kind, local)
-            for row in np.flatnonzero(good):
-                seed = _seed(mesh, kind, world[row], some.facets[row], tolerance)
-                if seed is not None:
-                    score = float(share[row] * size[left[row]])
-                    hypotheses.append(Hypothesis(kind, world[row], seed, score))
-            if kind == "torus" and not robust:
-                nearest[left] = local
-                worst = d.max(axis=1)
-                looks = ~good & (worst < FREEFORM * _sagitta(some)) & (size[left] >= LEAST_HALF)
-                freeform[left[looks]] = (worst * some.scale)[looks]
-            # What a robust fit explains in part is no freeform surface.
-            freeform[left[good]] = 0.0
-            left = left[~good]
-        left = left[patches.weights[left].sum(axis=1) >= ROBUST_LEAST]
-    return hypotheses, freeform
-
-
-def _seed(
-    mesh: Mesh, kind: Kind, surface: FloatArray, facets: IntArray, tolerance: float
-) -> int | None:
-    """The largest of some facets (-1 for none) that has its corners on a surface."""
-    facets = facets[facets >= 0]
-    d, _ = distance(kind, surface[None], mesh.corners[facets].reshape(1, -1, 3))
-    on = facets[(np.abs(d).reshape(-1, 3) <= tolerance).all(axis=1)]
-    return int(on[np.argmax(mesh.areas[on])]) if len(on) else None
-
-
-def _sagitta(patches: Patches) -> FloatArray:
-    """(b,) how far each patch's vertices leave its mean plane, in local units."""
-    moment = np.einsum("bni,bnj->bij", patches.points, patches.points)
-    normal = np.linalg.eigh(moment)[1][:, :, 0]
-    height = np.einsum("bnk,bk->bn", patches.points, normal)
-    sagitta: FloatArray = np.ptp(height, axis=1)
-    return sagitta
-
-
-def _is_finite(kind: Kind, local: FloatArray) -> BoolArray:
-    """Whether the surface bends at all on the scale of its patch; else it is all but a plane."""
-    size = local[:, 7] if kind == "torus" else local[:, 6]
-    finite: BoolArray = np.isfinite(local).all(axis=1) & (np.abs(size) < 1e3)
-    return finite
 
 
 def _passable(graph: FacetGraph, free: BoolArray) -> BoolArray:
