@@ -127,13 +127,7 @@ def _work(args: argparse.Namespace, draft: Path) -> tuple[list[str], list[str]]:
 def features_of(outcome: Outcome) -> FeatureTable:
     """The feature table of a part; each B-rep face goes with the region that covers most of it."""
     from gpswb.gps.feature_table import feature_table
+    from gpswb.validation.face_result import faces_and_bodies
 
-    faces: dict[int, list[str]] = {}
-    bodies: dict[int, int] = {}
-    if outcome.validation is not None and outcome.solid.facemap is not None:
-        solids = {face.name: face.solid for face in outcome.solid.facemap.faces}
-        for face in outcome.validation.faces:
-            for region in face.regions[:1]:
-                faces.setdefault(region, []).append(face.name)
-                bodies.setdefault(region, solids[face.name])
+    faces, bodies = faces_and_bodies(outcome.validation.faces if outcome.validation else ())
     return feature_table(outcome.partition, faces or None, bodies=bodies)

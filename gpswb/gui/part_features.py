@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from gpswb.gps.feature_table import FeatureTable, feature_table
 from gpswb.io.stored_result import StoredResult
+from gpswb.validation.face_result import faces_and_bodies
 
 _last: list[tuple[StoredResult, FeatureTable]] = []
 """The table that was made last: panels ask for it at every click."""
@@ -18,10 +19,7 @@ def features_of(stored: StoredResult) -> FeatureTable:
     """
     if _last and _last[0][0] is stored:
         return _last[0][1]
-    faces: dict[int, list[str]] = {}
-    for face in stored.faces:
-        for region in face.regions[:1]:
-            faces.setdefault(region, []).append(face.name)
-    table = feature_table(stored.partition, faces)
+    faces, bodies = faces_and_bodies(stored.faces)
+    table = feature_table(stored.partition, faces, bodies=bodies)
     _last[:] = [(stored, table)]
     return table

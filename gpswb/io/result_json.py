@@ -95,6 +95,7 @@ def face_entry(face: FaceResult) -> dict[str, Any]:
         "regions": list(face.regions),
         "ambiguous": face.ambiguous,
         "undecided": list(face.undecided),
+        "solid": face.solid,
     }
 
 

@@ -77,6 +77,7 @@ def face_results(document: Mapping[str, Any]) -> tuple[FaceResult, ...]:
             regions=tuple(int(region) for region in face["regions"]),
             ambiguous=bool(face["ambiguous"]),
             undecided=tuple(_class(name) for name in face["undecided"]),
+            solid=int(face.get("solid", 0)),  # documents of 0.1.0 don't tell
         )
         for face in document["faces"]
     )
@@ -106,7 +107,7 @@ def _assembled(document: Mapping[str, Any], arrays: Mapping[str, Any]) -> Stored
         mode=str(settings["mode"]),
         method=str(settings["method"]),
     )
-    cad = tuple(Face(face.name, face.area, 0, None) for face in faces)
+    cad = tuple(Face(face.name, face.area, face.solid, None) for face in faces)
     facemap = FaceMap(arrays["face"], cad, arrays["feature_of_face"]) if faces else None
     source, made = document["source"], document["mesh"]
     solid = Solid(

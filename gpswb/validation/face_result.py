@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -33,6 +34,7 @@ class FaceResult:
         regions: ids of the regions on the face, the largest share first.
         ambiguous: the truth itself is disputed (`FaceTruth.ambiguous`).
         undecided: classes between which the face's main region could not decide.
+        solid: number of the solid that the face belongs to.
     """
 
     name: str
@@ -45,6 +47,7 @@ class FaceResult:
     regions: tuple[int, ...]
     ambiguous: bool
     undecided: tuple[InvarianceClass, ...]
+    solid: int = 0
 
     @property
     def agrees(self) -> bool:
@@ -55,6 +58,22 @@ class FaceResult:
     def disagrees(self) -> bool:
         """There is a true class, and it was not recognised."""
         return self.true_class is not None and self.invariance_class != self.true_class
+
+
+def faces_and_bodies(
+    faces: Sequence[FaceResult],
+) -> tuple[dict[int, list[str]], dict[int, int]]:
+    """Names of the faces that go with each region id, and the solid that each region belongs to.
+
+    Each face goes with the region that covers most of it.
+    """
+    names: dict[int, list[str]] = {}
+    bodies: dict[int, int] = {}
+    for face in faces:
+        for region in face.regions[:1]:
+            names.setdefault(region, []).append(face.name)
+            bodies.setdefault(region, face.solid)
+    return names, bodies
 
 
 def facet_classes(partition: Partition) -> IntArray:
@@ -105,6 +124,7 @@ def map_back(partition: Partition, facemap: FaceMap) -> tuple[FaceResult, ...]:
                 regions=tuple(partition.regions[r].id for r in regions[i]),
                 ambiguous=cad.truth.ambiguous if cad.truth else False,
                 undecided=partition.regions[regions[i][0]].undecided if regions[i] else (),
+                solid=cad.solid,
             )
         )
     return tuple(results)
