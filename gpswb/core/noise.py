@@ -28,6 +28,12 @@ of twelve triangles has no vertex inside a face, but 6 of its 18 edges are such.
 QUARTER = 0.25
 """Where a quarter of the fits leave nothing, vertices lie on surfaces and there is no noise."""
 
+ROUNDING = 1e-6
+"""Share of the diagonal up to which deviations are rounding of coordinates, not noise."""
+
+BENT = (0.03, 0.6)
+"""Turn (rad) between facets that says that a surface bends there, and that it is a crease."""
+
 LOW = 0.1
 """Quantile of the variances that is taken for undisturbed by creases, to begin with."""
 
@@ -42,14 +48,40 @@ on noisy planes, cylinders and spheres."""
 def estimate_noise(mesh: Mesh) -> float:
     """Standard deviation of the vertices across the surface, mm.
 
+    Where the flat parts of a mesh are exact, its bent parts may not be (a remeshed or a rounded
+    model). Then the bent parts decide.
+
+    Args:
+        mesh: the mesh.
+
+    Returns:
+        sigma >= 0; 0 where no vertex has enough neighbours, or vertices lie on smooth surfaces.
+    """
+    sigma = _estimate(mesh, mesh.diagonal)
+    if sigma <= ROUNDING * mesh.diagonal:
+        bent = Mesh(mesh.vertices, mesh.triangles[_bent(mesh)])
+        sigma = _estimate(bent, mesh.diagonal)
+    return sigma if sigma > ROUNDING * mesh.diagonal else 0.0
+
+
+def _bent(mesh: Mesh) -> BoolArray:
+    """(m,) facets that turn from a neighbour, but at no crease."""
+    a, b = mesh.facet_pairs.T
+    turn = np.linalg.norm(mesh.facet_normals[a] - mesh.facet_normals[b], axis=1)
+    most = np.zeros(len(mesh.triangles))
+    for facet in (a, b):
+        np.maximum.at(most, facet, turn)
+    return (most > BENT[0]) & (most < BENT[1])
+
+
+def _estimate(mesh: Mesh, diagonal: float) -> float:
+    """Noise by fits around sampled vertices.
+
     Around sampled vertices a quadric is fitted to the two rings of neighbours, and a polynomial of
     degree four to three; the variances that are left, over their degrees of freedom, are noise
     unless the higher degree leaves much less: then it is the surface's own shape. Creases only
     raise the variance: of all the fits those count that agree, by the chi-square distribution, with
     the lowest.
-
-    Args:
-        mesh: the mesh.
 
     Returns:
         sigma >= 0; 0 where no vertex has enough neighbours, where a quarter of the fits leave
@@ -77,7 +109,7 @@ def estimate_noise(mesh: Mesh) -> float:
     variance, freedom = variance[known], freedom[known]
     if not len(variance):
         return 0.0
-    nothing = variance <= (1e-7 * mesh.diagonal) ** 2
+    nothing = variance <= (1e-7 * diagonal) ** 2
     if nothing.mean() >= QUARTER:
         return 0.0
     return UNBIASED * float(np.sqrt(_agreeing(variance[~nothing], freedom[~nothing])))

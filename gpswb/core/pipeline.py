@@ -57,7 +57,7 @@ def partition(
         raise InputError(
             f"nothing to partition: none of {len(mesh.triangles)} triangles has an area"
         )
-    sigma = _noise_of(mesh) if noise is None else float(noise)
+    sigma = estimate_noise(mesh) if noise is None else float(noise)
     if method == "curvature":
         return partition_by_curvature(mesh, sigma, progress=progress)
     if method == "slippage":
@@ -67,9 +67,3 @@ def partition(
     if mode == "corrected":
         return partition_corrected(mesh, sigma, progress=progress)
     return partition_robust(mesh, sigma, progress=progress)
-
-
-def _noise_of(mesh: Mesh) -> float:
-    """Estimated noise, mm; rounding counts as none."""
-    sigma = estimate_noise(mesh)
-    return sigma if sigma > 1e-6 * mesh.diagonal else 0.0

@@ -43,5 +43,15 @@ def test_a_block_of_few_triangles_has_none(n: int) -> None:
     assert estimate_noise(box(n=n)) == 0.0
 
 
+def test_exact_planes_do_not_hide_a_rough_wall() -> None:
+    mesh = capped_cylinder(nu=72, nv=24)
+    x, y, z = mesh.vertices.T
+    inner = (z > 0.0) & (z < z.max())
+    roughness = 1e-4 * mesh.diagonal * np.random.default_rng(0).normal(size=len(x))
+    radial = 1.0 + np.where(inner, roughness / np.maximum(np.hypot(x, y), 1e-9), 0.0)
+    rough = Mesh(np.column_stack([x * radial, y * radial, z]), mesh.triangles)
+    assert estimate_noise(rough) == pytest.approx(1e-4 * mesh.diagonal, rel=0.1)
+
+
 def test_a_mesh_too_small_for_a_fit_has_none() -> None:
     assert estimate_noise(box(n=1)) == 0.0

@@ -13,10 +13,9 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.sparse import coo_matrix, csr_matrix
-from scipy.sparse.csgraph import breadth_first_order, maximum_flow
 
 from gpswb.core.mesh import BoolArray, FloatArray, IntArray
+from gpswb.core.noisy.best_move import best_move
 from gpswb.core.noisy.models import Model
 from gpswb.core.noisy.noisy_mesh import NoisyMesh
 from gpswb.core.robust.surfaces import distance
@@ -46,8 +45,6 @@ TILT = 1.0
 
 REACH = 6
 """Facets beyond its border that a label may take in one move."""
-
-_UNIT = 256.0  # capacities are integers
 
 
 def facet_costs(noisy: NoisyMesh, model: Model, facets: IntArray) -> FloatArray:
@@ -157,7 +154,7 @@ def expand(noisy: NoisyMesh, models: Sequence[Model], label: IntArray, sweeps: i
                 continue
             before = own.take(active)
             jump = 1.0 + _jump(before, placed)
-            taken = _cut(graph, price, label, i, active, before.cost, placed.cost, jump)
+            taken = best_move(graph.pairs, price, label, i, active, before.cost, placed.cost, jump)
             label[active[taken]] = i
             own.put(active[taken], placed.take(taken))
             changed += int(taken.sum())
@@ -179,55 +176,3 @@ def _ring(graph: FacetGraph, inside: IntArray, m: int) -> IntArray:
         found.append(step)
         front = step
     return np.concatenate(found)
-
-
-def _cut(
-    graph: FacetGraph,
-    price: FloatArray,
-    label: IntArray,
-    new: int,
-    active: IntArray,
-    stay: FloatArray,
-    move: FloatArray,
-    jump: FloatArray,
-) -> BoolArray:
-    """(k,) which active facets take the new label in the best expansion move.
-
-    ``jump`` (k,) multiplies the price of a border between a facet's own and the new label.
-    """
-    k = len(active)
-    slot = np.full(len(label), -1, dtype=np.int64)
-    slot[active] = np.arange(k)
-    a, b = graph.pairs.T
-    sa, sb = slot[a], slot[b]
-    # Unary terms: x = 1 takes the new label.
-    zero, one = stay.copy(), move.copy()
-    for mine, other in ((sa, b), (sb, a)):
-        rim = (mine >= 0) & (slot[other] < 0)
-        at = mine[rim]
-        own, beyond, w = label[active[at]], label[other[rim]], price[rim]
-        zero += np.bincount(at, w * (own != beyond) * np.where(beyond == new, jump[at], 1.0), k)
-        one += np.bincount(at, w * (beyond != new) * np.where(beyond == own, jump[at], 1.0), k)
-    both = (sa >= 0) & (sb >= 0)
-    p, q, w = sa[both], sb[both], price[both]
-    differ = w * (label[active[p]] != label[active[q]])
-    # E = A + (C - A) x_p + (D - C) x_q + (B + C - A - D)(1 - x_p) x_q with D = 0.
-    one += np.bincount(p, w * jump[q] - differ, k)
-    zero += np.bincount(q, w * jump[q], k)
-    link = w * jump[p] + w * jump[q] - differ
-    least = np.minimum(zero, one)
-    zero, one = zero - least, one - least
-    # Source side: x = 0. Cutting p from the source costs x_p = 1; p -> q is cut for x_p=0, x_q=1.
-    source, sink = k, k + 1
-    row = np.concatenate([np.full(k, source), np.arange(k), p])
-    col = np.concatenate([np.arange(k), np.full(k, sink), q])
-    value = np.rint(_UNIT * np.concatenate([one, zero, link])).astype(np.int32)
-    network = coo_matrix((value, (row, col)), shape=(k + 2, k + 2)).tocsr()
-    flow = maximum_flow(network, source, sink).flow
-    rest = csr_matrix(network - flow)
-    rest.data[rest.data < 0] = 0
-    rest.eliminate_zeros()
-    reached = breadth_first_order(rest, source, return_predecessors=False)
-    taken = np.ones(k + 2, dtype=bool)
-    taken[reached] = False
-    return taken[:k]

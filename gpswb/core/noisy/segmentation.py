@@ -12,13 +12,16 @@ from gpswb.core.noisy.hypotheses import find_models, lies_on
 from gpswb.core.noisy.merging import drop_models, facets_of, merge_models
 from gpswb.core.noisy.models import SAMPLE, Model, fit_models
 from gpswb.core.noisy.noisy_mesh import NoisyMesh
-from gpswb.core.robust.growth import Grown
+from gpswb.core.robust.growth import Grown, fit_facets
 
 CYCLES = 3
 """Rounds of labelling and fitting; labels hardly change in the third."""
 
 FINAL = 1500
 """Vertices of a region that the last fit uses: it decides the kind."""
+
+FEW = 12
+"""Facets without a surface that are taken for a plane: fewer could prove nothing else."""
 
 CORE = 0.6
 """Share of a region that its surface must explain for the rest to be left out of the fit."""
@@ -47,10 +50,21 @@ def segment(mesh: Mesh, sigma: float) -> tuple[list[Grown], IntArray]:
     models, label = _refitted(noisy, models, label, last=True)
     groups = facets_of(label, len(models))
     surfaces = [Grown(m.kind, m.surface, g) for m, g in zip(models, groups, strict=True)]
-    unexplained = label < 0
-    both = np.logical_and(*unexplained[noisy.graph.pairs].T)
-    part = noisy.graph.components(both, len(label))
-    return surfaces, np.where(unexplained, len(models) + part, label)
+    for facets in _unexplained(noisy, label):
+        label[facets] = len(surfaces)
+        if len(facets) < FEW:
+            surfaces.append(Grown("plane", fit_facets(mesh, "plane", facets), facets))
+    return surfaces, label
+
+
+def _unexplained(noisy: NoisyMesh, label: IntArray) -> list[IntArray]:
+    """Facets without a surface, as far as they hang together, small groups first."""
+    none = np.flatnonzero((label < 0) & (noisy.mesh.areas > 0.0))
+    both = np.logical_and(*(label < 0)[noisy.graph.pairs].T)
+    part = noisy.graph.components(both, len(label))[none]
+    order = np.argsort(part, kind="stable")
+    groups = np.split(none[order], np.flatnonzero(np.diff(part[order])) + 1)
+    return sorted((g for g in groups if len(g)), key=len)
 
 
 def _refitted(
