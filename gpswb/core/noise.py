@@ -25,14 +25,21 @@ COPLANAR = 0.05
 """Share of the edges at which facets lie in one plane, to rounding, that noise never leaves: a box
 of twelve triangles has no vertex inside a face, but 6 of its 18 edges are such."""
 
+EXACT = 0.02
+"""Share of the fits that are exact, from which there is no noise: noise leaves none exact."""
+
 QUARTER = 0.25
-"""Where a quarter of the fits leave nothing, vertices lie on surfaces and there is no noise."""
+"""Share of the fits that leave nothing but shape, from which there is no noise."""
 
 ROUNDING = 1e-6
 """Share of the diagonal up to which deviations are rounding of coordinates, not noise."""
 
 BENT = (0.03, 0.6)
 """Turn (rad) between facets that says that a surface bends there, and that it is a crease."""
+
+MILD = 3e-4
+"""Share of the diagonal up to which bent parts may be off beside exact planes. What is rougher than
+that is rough everywhere, or it is shape."""
 
 LOW = 0.1
 """Quantile of the variances that is taken for undisturbed by creases, to begin with."""
@@ -61,7 +68,9 @@ def estimate_noise(mesh: Mesh) -> float:
     if sigma <= ROUNDING * mesh.diagonal:
         bent = Mesh(mesh.vertices, mesh.triangles[_bent(mesh)])
         sigma = _estimate(bent, mesh.diagonal)
-    return sigma if sigma > ROUNDING * mesh.diagonal else 0.0
+        if not 10.0 * ROUNDING * mesh.diagonal < sigma < MILD * mesh.diagonal:
+            return 0.0
+    return sigma
 
 
 def _bent(mesh: Mesh) -> BoolArray:
@@ -104,13 +113,14 @@ def _estimate(mesh: Mesh, diagonal: float) -> float:
     wide = (near + near @ graph).tocsr()
     quartic, _ = _variance(mesh, chosen, frame, wide, *RINGS[1][1:])
     plain, _ = _variance(mesh, chosen, frame, wide, 2, RINGS[1][2])
-    variance = np.where(quartic < SHAPE**2 * plain, 0.0, np.fmin(quadric, quartic))
+    least = np.fmin(quadric, quartic)
+    variance = np.where(quartic < SHAPE**2 * plain, 0.0, least)
     known = np.isfinite(quadric)
     variance, freedom = variance[known], freedom[known]
     if not len(variance):
         return 0.0
     nothing = variance <= (1e-7 * diagonal) ** 2
-    if nothing.mean() >= QUARTER:
+    if nothing.mean() >= QUARTER or (least[known] <= (1e-7 * diagonal) ** 2).mean() >= EXACT:
         return 0.0
     return UNBIASED * float(np.sqrt(_agreeing(variance[~nothing], freedom[~nothing])))
 
