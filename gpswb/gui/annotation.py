@@ -181,6 +181,17 @@ def annotation_of(partition: Any) -> Annotation:
         InputError: it has no result, or an annotation doesn't fit the part.
     """
     stored, _ = effective_result(partition)
+    rows = specification_rows(partition)
+    return annotate(features_of(stored), stored_datums(partition), rows, partition.DatumSystem)
+
+
+def specification_rows(partition: Any) -> list[SpecificationRow]:
+    """The specifications of a partition as rows of a table for ``--specs``.
+
+    Raises:
+        InputError: a face of one is gone.
+    """
+    stored, _ = effective_result(partition)
     rows = []
     for obj in annotations_of(partition):
         record = record_of(obj)
@@ -189,7 +200,7 @@ def annotation_of(partition: Any) -> Annotation:
                 rows.append(_row(stored, record))
             except InputError as error:
                 raise InputError(f"{obj.Label}: {error}") from None
-    return annotate(features_of(stored), stored_datums(partition), rows, partition.DatumSystem)
+    return rows
 
 
 def refresh_annotations(partition: Any, without: Any = None) -> None:

@@ -5,11 +5,14 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from pathlib import Path
+from tempfile import TemporaryDirectory
 from typing import Any
 
 from gpswb.errors import InputError
-from gpswb.gui.annotation import annotation_of
+from gpswb.gui.annotation import annotation_of, specification_rows
 from gpswb.gui.objects.partition import effective_result
+from gpswb.io.ap242.verified import write_verified_ap242
+from gpswb.io.ap242.write import read_text
 from gpswb.io.faces_csv import write_faces
 from gpswb.io.features_csv import write_features_csv, write_specifications_csv
 from gpswb.io.features_json import features_document, write_features_json
@@ -17,6 +20,7 @@ from gpswb.io.labels_npz import write_labels
 from gpswb.io.ply import write_ply
 from gpswb.io.qif import write_qif
 from gpswb.io.result_json import write_result
+from gpswb.io.specification_file import write_specifications
 from gpswb.io.whole import whole_file
 from gpswb.report.part_report import write_report
 
@@ -56,6 +60,20 @@ def _specifications_csv(path: Path, obj: Any) -> None:
     write_specifications_csv(path, annotation_of(obj))
 
 
+def _given_csv(path: Path, obj: Any) -> None:
+    write_specifications(path, specification_rows(obj))
+
+
+def _ap242(path: Path, obj: Any) -> None:
+    """The part as FreeCAD writes it, with the annotations appended as `gpswb annotate` does."""
+    stored, annotation = effective_result(obj)[0], annotation_of(obj)
+    with TemporaryDirectory() as folder:
+        plain = Path(folder) / "part.step"
+        obj.Source.Shape.exportStep(str(plain))
+        text = read_text(plain)
+    write_verified_ap242(path, text, stored.solid, annotation.letters, annotation.specified)
+
+
 def _qif(path: Path, obj: Any) -> None:
     write_qif(path, annotation_of(obj), obj.Source.Label)
 
@@ -67,6 +85,8 @@ FORMATS: Mapping[str, tuple[str, Callable[[Path, Any], None]]] = {
     ".features.json": ("GPS features", _features),
     ".features.csv": ("GPS features, table", _features_csv),
     ".specifications.csv": ("Permitted specifications, table", _specifications_csv),
+    ".given.csv": ("Given specifications, table", _given_csv),
+    ".ap242.step": ("AP242 with semantic PMI", _ap242),
     ".qif": ("QIF 3.0", _qif),
     ".ply": ("Mesh coloured by class", _ply),
     ".npz": ("Mesh with labels", _labels),

@@ -8,7 +8,7 @@ import io
 import json
 import math
 import re
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import Any
 
@@ -47,6 +47,22 @@ def read_specifications(path: Path) -> tuple[SpecificationRow, ...]:
         specification_row(f"{path}, specification {number}", row)
         for number, row in enumerate(rows, start=1)
     )
+
+
+def write_specifications(path: Path, rows: Iterable[SpecificationRow]) -> None:
+    """Write rows as a CSV table that `read_specifications` reads.
+
+    Raises:
+        OSError: the file can't be written.
+    """
+    with path.open("w", newline="", encoding="utf-8") as file:
+        table = csv.writer(file, lineterminator="\n")
+        table.writerow(COLUMNS)
+        for row in rows:
+            words = {**vars(row), "modifiers": "".join(row.modifiers)}
+            if row.value is None and row.characteristic != "size":
+                words["value"] = "?"
+            table.writerow(["" if words[key] is None else words[key] for key in COLUMNS])
 
 
 def _json(path: Path, text: str) -> list[Mapping[str, Any]]:

@@ -20,6 +20,7 @@ from gpswb.gui.annotation import (
     take_suggestion,
 )
 from gpswb.gui.colouring import CONSTRAINT, colouring
+from gpswb.gui.exports import export
 from gpswb.gui.objects.annotation import annotations_of
 from gpswb.gui.objects.partition import (
     effective_result,
@@ -29,7 +30,12 @@ from gpswb.gui.objects.partition import (
     run,
     start_run,
 )
+from gpswb.io.ap242.match import match_faces
+from gpswb.io.ap242.read_pmi import read_pmi
+from gpswb.io.ap242.structure import shapes_of
+from gpswb.io.ap242.write import read_text
 from gpswb.io.colours import WHEEL
+from gpswb.io.specification_file import read_specifications
 
 
 @pytest.fixture(scope="module")
@@ -207,6 +213,39 @@ def test_a_face_that_is_gone(part, partition):  # noqa: F811
     assert list(obj.Cells) == []
     with pytest.raises(InputError, match="is gone"):
         annotation_of(partition)
+
+
+def test_export_is_that_of_annotate(part, partition, tmp_path):  # noqa: F811
+    at = by_place(part)
+    set_datums(partition, [("A", [at["z0"]]), ("B", [at["x0"], at["x40"]])])
+    add_specification(partition, [at["hole"]], "position", 0.2, "A|B", modifiers="M")
+    add_specification(partition, [at["hole"]], "size", "", upper=0.02, lower=-0.1)
+    add_specification(partition, [at["z20"]], "flatness")
+    export(partition, tmp_path / "part.ap242.step")
+    # Read back with faces numbered as in the document: a third party's faces would be too.
+    file = read_text(tmp_path / "part.ap242.step")
+    solid = effective_result(partition)[0].solid
+    pmi = read_pmi(file, match_faces(file, shapes_of(file), solid.mesh, solid.facemap))
+    assert {d.letter: set(d.faces) for d in pmi.datums} == {
+        "A": {at["z0"]},
+        "B": {at["x0"], at["x40"]},
+    }
+    # What is open isn't written: there is no value to write.
+    ((position,), (size,)) = pmi.tolerances, pmi.sizes
+    assert (position.characteristic, position.value, position.datums) == ("position", 0.2, "A|B")
+    assert (position.prefix, position.modifiers, position.faces) == ("Ø", ("Ⓜ",), (at["hole"],))
+    assert (size.nominal, size.upper, size.lower) == (pytest.approx(8.0), 0.02, -0.1)
+    export(partition, tmp_path / "part.given.csv")
+    rows = read_specifications(tmp_path / "part.given.csv")
+    assert [(r.characteristic, r.value, r.datums, r.modifiers, r.lower) for r in rows] == [
+        ("position", 0.2, "A|B", ("Ⓜ",), None),
+        ("size", None, "", (), -0.1),
+        ("flatness", None, "", (), None),
+    ]
+    export(partition, tmp_path / "part.features.json")
+    written = json.loads((tmp_path / "part.features.json").read_text(encoding="utf-8"))
+    assert len(written["specified"]) == 3
+    assert written["datums_given"]
 
 
 def test_undo_in_one_step(part, partition):  # noqa: F811

@@ -8,6 +8,10 @@
       <translation type="unfinished" />
     </message>
     <message>
+      <source>AP242 with semantic PMI</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <source>Add</source>
       <translation type="unfinished" />
     </message>
@@ -173,6 +177,10 @@
     </message>
     <message>
       <source>GPS legend</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Given specifications, table</source>
       <translation type="unfinished" />
     </message>
     <message>

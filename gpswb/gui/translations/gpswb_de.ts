@@ -8,6 +8,10 @@
       <translation>A-B ist ein gemeinsamer Bezug, A&gt;&lt; richtet nur aus; leer: jeder Buchstabe der Reihe nach</translation>
     </message>
     <message>
+      <source>AP242 with semantic PMI</source>
+      <translation>AP242 mit semantischer PMI</translation>
+    </message>
+    <message>
       <source>Add</source>
       <translation>Hinzufügen</translation>
     </message>
@@ -174,6 +178,10 @@
     <message>
       <source>GPS legend</source>
       <translation>GPS-Legende</translation>
+    </message>
+    <message>
+      <source>Given specifications, table</source>
+      <translation>Gegebene Spezifikationen, Tabelle</translation>
     </message>
     <message>
       <source>Half angle</source>
