@@ -26,6 +26,8 @@ _BESIDE = 0.03
 _ROW = 0.065
 """Between frames in a column: a view that fits the part is about a diagonal high, and a frame with
 its gap a fifteenth of a window."""
+_COLUMN = 12
+"""Frames that a column holds in such a view; more go to the other side, where that has room."""
 _APART = 0.1
 """Between the ends of leaders on one feature, so that they can be told apart."""
 _FACING = 0.2
@@ -69,7 +71,8 @@ def frame_places(anchors: FloatArray, corners: FloatArray) -> FloatArray:
     across, height = (anchors - middle) @ RIGHT, (anchors - middle) @ UP
     places = np.zeros_like(anchors)
     order = np.argsort(across, kind="stable")
-    count = len(order) // 2
+    most = max(_COLUMN, (len(order) + 1) // 2)
+    count = min(max(int((across < 0).sum()), len(order) - most), most)
     for side, members in ((-1.0, order[:count]), (1.0, order[count:])):
         rows = members[np.argsort(-height[members], kind="stable")]
         level = _spread(height[rows], _ROW * size)

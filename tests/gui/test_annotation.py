@@ -3,6 +3,7 @@
 
 import FreeCAD
 import FreeCADGui
+import numpy as np
 from window import PICTURES, click_in_view, picture, pixel_of_face, settle
 
 from gpswb.gps.characteristics import RULES
@@ -219,9 +220,6 @@ def ink_in_view(name):
     """Number of black pixels in a picture of the 3-D view."""
     path = PICTURES / f"{name}.png"
     FreeCADGui.activeDocument().activeView().saveImage(str(path), 900, 640, "White")
-    image = QtGui.QImage(str(path))
-    return sum(
-        max(QtGui.QColor(image.pixel(x, y)).getRgb()[:3]) < 60
-        for y in range(image.height())
-        for x in range(image.width())
-    )
+    image = QtGui.QImage(str(path)).convertToFormat(QtGui.QImage.Format_RGBA8888)
+    rgb = np.frombuffer(bytes(image.constBits()), dtype=np.uint8).reshape(-1, 4)[:, :3]
+    return int((rgb.max(axis=1) < 60).sum())
