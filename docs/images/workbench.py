@@ -57,32 +57,6 @@ def show():
     partition.ViewObject.ColourBy = "shape type"
     settle()
     picture("mesh")
-    partition.ViewObject.Elements = "Faces"
-    partition.ViewObject.ColourBy = "constraint state"
-    annotate(partition)
-    picture("annotate")
-
-
-def annotate(partition):
-    """Datums as suggested, some specifications, and the panel for one more."""
-    from window import settle
-
-    from gpswb.gui.annotation import add_specification, annotation_of, take_suggestion
-    from gpswb.gui.selection import select_faces
-
-    take_suggestion(partition)
-    found = annotation_of(partition)
-    holes = [f for f in found.table.features if f.kind == "integral" and f.of_linear_size]
-    system = found.system.notation
-    first = found.system.datums[0]
-    add_specification(partition, first.features[0].faces, "flatness", 0.02)
-    for hole, value in zip(holes[:2], (0.2, "?"), strict=True):
-        add_specification(partition, hole.faces, "position", value, system, modifiers="M")
-    add_specification(partition, holes[0].faces, "size", "", fit="H7")
-    settle()
-    select_faces(partition, holes[2].faces)
-    FreeCADGui.runCommand("GPS_Annotate", 0)
-    settle()
 
 
 start(show)

@@ -12,7 +12,7 @@ import Part
 import pytest
 
 from gpswb.errors import InputError
-from gpswb.gui.annotation import annotation_of
+from gpswb.gui.annotation import add_datum, add_specification, annotation_of
 from gpswb.gui.exports import FORMATS, export
 from gpswb.gui.fingerprint import shape_fingerprint
 from gpswb.gui.importing import import_part
@@ -217,13 +217,15 @@ else:
     os._exit(3)
 document = FreeCAD.openDocument({path!r})
 partition = next(o for o in document.Objects if o.Name.startswith("GpsPartition"))
-holes = [o for o in partition.Group if o.Class == "cylindrical"]
+holes = [o for o in partition.Group if getattr(o, "Class", "") == "cylindrical"]
+frames = [list(o.Cells) for o in partition.Group if hasattr(o, "Cells")]
 good = (
     list(partition.Classes) == {classes!r}
     and partition.Source.Name == "Drilled"
     and len(holes) == 1
     and abs(float(holes[0].Radius) - 4.0) < 1e-6
     and len(holes[0].Shape.Edges) == 1
+    and frames == [["A"], [], ["⟂", "Ø0.1", "A"]]
 )
 document.recompute()
 document.saveAs({path!r})
@@ -233,7 +235,9 @@ os._exit(0 if good else 4)
 
 def test_opens_and_saves_where_the_workbench_is_missing(part, tmp_path):
     path = tmp_path / "part.FCStd"
-    make_partition(part, density="coarse")
+    partition = make_partition(part, density="coarse")
+    add_datum(partition, "A", ["Face6"])
+    add_specification(partition, ["Face7"], "perpendicularity", 0.1, "A")
     part.Document.saveAs(str(path))
     script = tmp_path / "without.py"
     script.write_text(WITHOUT.format(path=str(path), classes=CLASSES))
@@ -253,6 +257,7 @@ def test_opens_and_saves_where_the_workbench_is_missing(part, tmp_path):
     FreeCAD.closeDocument(part.Document.Name)
     (again,) = partitions(FreeCAD.openDocument(str(path)))
     assert len(effective_result(again)[0].faces) == 7
+    assert [each.frame for each in annotation_of(again).specified] == ["⟂ Ø0.1 | A"]
 
 
 def test_a_feature_of_a_body_means_the_body(document):

@@ -1,0 +1,40 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Frames stand beside the part and apart from each other, whatever they point at."""
+
+import numpy as np
+from hypothesis import given
+from hypothesis import strategies as st
+from hypothesis.extra.numpy import arrays
+
+from gpswb.gui.frame_places import RIGHT, TOWARDS, UP, frame_places
+
+CORNERS = np.array([[-20.0, 5.0, 0.0], [60.0, 35.0, 30.0]])
+SIZE = float(np.linalg.norm(np.ptp(CORNERS, axis=0)))
+
+
+def test_the_view_is_that_from_the_right_front_top():
+    frame = np.array([RIGHT, UP, TOWARDS])
+    assert np.allclose(frame @ frame.T, np.eye(3))
+    assert np.linalg.det(frame) > 0
+    assert UP[2] > 0
+
+
+@given(arrays(float, st.tuples(st.integers(1, 40), st.just(3)), elements=st.floats(0, 1)))
+def test_beside_the_part_and_apart(shares):
+    anchors = CORNERS[0] + shares * np.ptp(CORNERS, axis=0)
+    places = frame_places(anchors, CORNERS)
+    middle = CORNERS.mean(axis=0)
+    corners = np.array(np.meshgrid(*CORNERS.T)).reshape(3, -1).T
+    edge = np.abs((corners - middle) @ RIGHT).max()
+    across = (places - middle) @ RIGHT
+    assert (np.abs(across) > edge).all()
+    for column in (across < 0, across > 0):
+        level = (places[column] - middle) @ UP
+        assert (np.diff(np.sort(level)) > 0.06 * SIZE).all()
+        # From top to bottom as what they point at, so that leaders of a column hardly cross.
+        order = np.argsort(-level)
+        pointed = ((anchors[column] - middle) @ UP)[order]
+        assert (np.diff(pointed) <= 1e-9).all()
+    # Up to a dozen a side, each stands on its own side.
+    if len(anchors) <= 12:
+        assert (((anchors - middle) @ RIGHT < 0) == (across < 0)).all()
