@@ -50,6 +50,7 @@ def show():
     settle()
     cone = next(f for f in partition.Group if f.Surface == "cone")
     click_in_view(*pixel_of_face(cone.Faces[0][1][0]))
+    settle(3.0)  # the panel grows with its text, by and by
     picture("query")
     shown_panel().reject()
     FreeCADGui.Selection.clearSelection()

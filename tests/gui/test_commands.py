@@ -8,7 +8,7 @@ import FreeCAD
 import FreeCADGui
 import Part
 from test_partition_panel import true_classes
-from window import button, click_in_view, picture, settle, wait
+from window import button, click_in_view, picture, settle, steady, wait
 
 import gpswb
 from gpswb.gui.commands import GROUPS, MODULES
@@ -141,7 +141,7 @@ def test_a_pick_on_the_mesh_means_the_face(block, partition):
     FreeCADGui.Selection.clearSelection()
     partition.ViewObject.Elements = "Facets"
     FreeCADGui.runCommand("GPS_Query", 0)
-    settle()
+    steady()
     view = FreeCADGui.activeDocument().activeView()
     width, height = view.getSize()
     seen = view.getObjectInfo((width // 2, height // 2))

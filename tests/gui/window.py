@@ -39,6 +39,14 @@ def button(panel_or_window, text):
     return found[0]
 
 
+def steady():
+    """Wait until panels and docks that have just opened no longer change the view's size."""
+    size = None
+    while size != view_area().size():
+        size = view_area().size()
+        settle(0.7)
+
+
 def view_area():
     """The widget of the 3-D view that takes the mouse."""
     area = FreeCADGui.getMainWindow().findChild(QtWidgets.QMdiArea)
@@ -62,6 +70,7 @@ def click_in_view(x, y):
 
 def pixel_of_face(name):
     """A pixel of the 3-D view (origin at its top) amid those under which a face is seen."""
+    steady()
     view, area = FreeCADGui.activeDocument().activeView(), view_area()
     scale = area.devicePixelRatioF()
     seen = []
