@@ -2,7 +2,7 @@
 """Every method on the same meshes: ``python benchmarks/compare_methods.py [PART...]``.
 
 A part is an example's name or a file; all examples if none is named. Renews the section ``methods``
-of docs/validation.md after each part, so that a run that is cut short leaves what it has found;
+of docs/validation.md after each mesh, so that a run that is cut short leaves what it has found;
 what the same code made of a mesh before is taken from build/measured.
 """
 

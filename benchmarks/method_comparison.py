@@ -119,24 +119,22 @@ def figures(solid: Solid, method: str, noise: float, limit: float) -> Figures:
 
 
 def sections(names: Sequence[str], limit: float) -> Iterator[str]:
-    """The section, after each part: a name is that of an example part, or of a file."""
+    """The section, after each mesh of each part: a name is that of an example, or of a file."""
     rows: dict[str, dict[str, dict[str, Figures]]] = {mesh: {} for mesh in MESHES}
     sizes: dict[str, list[int]] = {mesh: [] for mesh in MESHES}
     for name in names:
-        done = {}
         for mesh, (vertices, noise) in MESHES.items():
             solid = _solid(name, vertices)
             if solid is None:
                 break
             solid = add_noise(solid, noise) if noise else solid
             print(f"{mesh}, {name}: {len(solid.mesh.vertices)} vertices", flush=True)
-            done[mesh] = {method: figures(solid, method, noise, limit) for method in METHODS}
-            sizes[mesh].append(len(solid.mesh.vertices))
-            if name == SHOWN and len(done) == 1:
-                _picture(solid, done[mesh])
-        for mesh, found in done.items():
+            found = {method: figures(solid, method, noise, limit) for method in METHODS}
             rows[mesh][Path(name).name] = found
-        yield "\n".join(_lines(rows, sizes, limit))
+            sizes[mesh].append(len(solid.mesh.vertices))
+            if name == SHOWN and mesh == next(iter(MESHES)):
+                _picture(solid, found)
+            yield "\n".join(_lines(rows, sizes, limit))
 
 
 def _solid(name: str, vertices: int) -> Solid | None:
