@@ -28,7 +28,6 @@ from gpswb.core.robust.polygons import certain_planes, coplanar_polygons
 from gpswb.core.robust.surfaces import Kind, distance
 from gpswb.core.robust.topology import FacetGraph
 from gpswb.core.stages import Progress, StageClock
-from gpswb.core.thickness import near_profile
 from gpswb.core.tolerances import Tolerances
 
 TIERS: tuple[float, ...] = (1e-7, 1e-5, 3e-5, 1e-4)
@@ -155,9 +154,10 @@ def simple_surfaces(
 
 
 def stand_off(grown: Grown, points: FloatArray) -> float:
-    """RMS distance (mm) of (n, 3) points to a surface, measured as `thickness` measures a class."""
+    """Standard distance (mm) of (n, 3) points to a surface, by the median: a region may have taken
+    in what lies beside its surface, which says nothing of the rest."""
     offset = distance(grown.kind, grown.surface[None], points[None])[0][0]
-    return float(np.sqrt(np.mean(offset[near_profile(offset)] ** 2)))
+    return float(np.median(np.abs(offset))) / 0.6745
 
 
 def _still_free(weak: list[Grown], free: BoolArray) -> list[Grown]:
