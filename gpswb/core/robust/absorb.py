@@ -11,7 +11,7 @@ from gpswb.core.initial import InitialPartition
 from gpswb.core.mesh import BoolArray, IntArray, Mesh
 from gpswb.core.robust.evidence import EXACT, sagitta
 from gpswb.core.robust.freeform import SMOOTH
-from gpswb.core.robust.growth import Grown, residual
+from gpswb.core.robust.growth import Grown, residual, stand_off
 from gpswb.core.robust.leftover import classes_of
 from gpswb.core.robust.surfaces import distance
 from gpswb.core.robust.topology import FacetGraph
@@ -69,7 +69,8 @@ def absorb_pieces(
     chance = np.zeros(len(kept), dtype=bool)
     for i, g in enumerate(surfaces):
         bend, off = sagitta(mesh, g), residual(mesh, g)
-        kept[i] |= g.kind == "plane" or (bend >= EXACT * off and len(g.facets) >= few)
+        middle = stand_off(g, mesh.vertices[np.unique(mesh.triangles[g.facets])])
+        kept[i] |= g.kind == "plane" or (bend >= EXACT * middle and len(g.facets) >= few)
         chance[i] = bend < CHANCE * off
     for _ in range(ROUNDS):
         size = np.bincount(out[out >= 0], minlength=len(kept))

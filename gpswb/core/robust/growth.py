@@ -139,6 +139,13 @@ def residual(mesh: Mesh, grown: Grown) -> float:
     return float(np.abs(distance(grown.kind, grown.surface[None], corners)[0]).max(initial=0.0))
 
 
+def stand_off(grown: Grown, points: FloatArray) -> float:
+    """Standard distance (mm) of (n, 3) points to a surface, by the median: a region may have taken
+    in what lies beside its surface, which says nothing of the rest."""
+    offset = distance(grown.kind, grown.surface[None], points[None])[0][0]
+    return float(np.median(np.abs(offset))) / 0.6745
+
+
 def to_local(surface: FloatArray, centre: FloatArray, scale: FloatArray, kind: Kind) -> FloatArray:
     """(b, 8) surfaces in coordinates (x - centre) / scale."""
     out = surface.copy()

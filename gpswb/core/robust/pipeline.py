@@ -9,7 +9,7 @@ import numpy as np
 
 from gpswb.core.initial import InitialPartition, initial_partition
 from gpswb.core.invariance import InvarianceClass
-from gpswb.core.mesh import BoolArray, FloatArray, IntArray, Mesh
+from gpswb.core.mesh import BoolArray, IntArray, Mesh
 from gpswb.core.noisy.segmentation import segment
 from gpswb.core.partition import Partition, Region
 from gpswb.core.projection import number_facet_regions
@@ -22,10 +22,10 @@ from gpswb.core.robust.decide import by_gap, unless_far_better
 from gpswb.core.robust.describe import describe_surface
 from gpswb.core.robust.evidence import EXACT, is_exact, sagitta
 from gpswb.core.robust.freeform import dissolve
-from gpswb.core.robust.growth import Grown, fit_facets, grow
+from gpswb.core.robust.growth import Grown, fit_facets, grow, stand_off
 from gpswb.core.robust.leftover import label_leftover
 from gpswb.core.robust.polygons import certain_planes, coplanar_polygons
-from gpswb.core.robust.surfaces import Kind, distance
+from gpswb.core.robust.surfaces import Kind
 from gpswb.core.robust.topology import FacetGraph
 from gpswb.core.stages import Progress, StageClock
 from gpswb.core.tolerances import Tolerances
@@ -151,13 +151,6 @@ def simple_surfaces(
             continue
         planes.append(Grown("plane", fit_facets(mesh, "plane", facets), facets))
     return planes + found
-
-
-def stand_off(grown: Grown, points: FloatArray) -> float:
-    """Standard distance (mm) of (n, 3) points to a surface, by the median: a region may have taken
-    in what lies beside its surface, which says nothing of the rest."""
-    offset = distance(grown.kind, grown.surface[None], points[None])[0][0]
-    return float(np.median(np.abs(offset))) / 0.6745
 
 
 def _still_free(weak: list[Grown], free: BoolArray) -> list[Grown]:
