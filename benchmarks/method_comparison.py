@@ -166,7 +166,7 @@ def _picture(solid: Solid, found: dict[str, Figures]) -> None:
 def _lines(
     rows: dict[str, dict[str, dict[str, Figures]]], sizes: dict[str, list[int]], limit: float
 ) -> list[str]:
-    lines = ["## Against other methods (the paper's Fig. 18, with numbers)", "", *HEAD]
+    lines = ["## Against other methods (the paper's Fig. 18, with numbers)", "", *HEAD, ""]
     lines += [f"A run had {limit:g} CPU seconds. What was not done then, or failed, counts as 0 in"]
     lines += ["the means; seconds are the median of those that were done.", ""]
     for mesh, parts in rows.items():
