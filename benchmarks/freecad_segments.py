@@ -38,6 +38,8 @@ def by_curvature(mesh, distance, radii, least):
     The answer doesn't say which pair a segment fits, so each class is asked for by itself. A face
     may be convex or hollow, so each radius is asked for with both signs.
     """
+    # Half of the least curvature at most: with more, planes would pass as the widest cylinder.
+    near = min([CURVATURE, *(0.5 / radius for radius in radii)])
     bent = [sign / radius for radius in radii for sign in (1.0, -1.0)]
     asked = {
         "planar": [(0.0, 0.0)],
@@ -48,7 +50,7 @@ def by_curvature(mesh, distance, radii, least):
         (kind, part)
         for kind, pairs in asked.items()
         if pairs
-        for part in mesh.getSegmentsByCurvature([(*c, CURVATURE, CURVATURE, least) for c in pairs])
+        for part in mesh.getSegmentsByCurvature([(*c, near, near, least) for c in pairs])
     ]
 
 

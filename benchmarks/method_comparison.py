@@ -67,9 +67,9 @@ and `slippage` its methods after the paper's rivals. FreeCAD's three calls, in v
 - The class of a segment is what was asked for: plane, cylinder or sphere. FreeCAD asks for no other
   surface, so all other faces are lost to it. A facet in no segment is not recognised; one in
   several goes to the largest.
-- Parameters are those of FreeCAD's dialogs: {DISTANCE} mm (planes and types), 0.1 /mm (curvature),
-  at least {LEAST[0]} facets. Many faces of these meshes have fewer, so each call was made with
-  {LEAST[1]}, too.
+- Parameters are those of FreeCAD's dialogs: {DISTANCE} mm (planes and types), 0.1 /mm (curvature;
+  half the curvature of the widest radius if that is less), at least {LEAST[0]} facets.
+  Many faces of these meshes have fewer, so each call was made with {LEAST[1]}, too.
 - `getSegmentsByCurvature` has to be told curvatures: it was told the radii of all cylinders and
   spheres of the CAD model. With noise the other two were told three times its deviation as their
   tolerance. gpswb is told neither.
