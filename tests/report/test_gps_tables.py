@@ -20,16 +20,18 @@ from gpswb.report.part_report import report_page
 
 CLICK = """
 <script>
-setTimeout(() => {
+const waiting = setInterval(() => {
   const rows = [...document.querySelectorAll("#features tbody tr")];
   const pattern = rows.findIndex((row) => row.cells[0].textContent === "Hole pattern 1");
+  if (pattern < 0 || typeof views === "undefined" || !views.mesh) return;  // still unpacking
+  clearInterval(waiting);
   rows[pattern].click();
   const lit = [...views.mesh.region].filter((id) => report.features.features[pattern].regions.includes(id));
   const found = [by("permitted-title").textContent, rows[pattern].classList.contains("chosen"), lit.length > 0];
   document.querySelectorAll("#features thead button")[0].click();
   found.push(document.querySelector("#features tr.chosen").cells[0].textContent);
   document.title = JSON.stringify(found);
-}, 2000);
+}, 200);
 </script></body>"""  # noqa: E501
 
 

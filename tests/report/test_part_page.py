@@ -38,7 +38,7 @@ def chromium(directory: Path, *options: str) -> subprocess.CompletedProcess[str]
             "--enable-unsafe-swiftshader",
             "--enable-logging=stderr",
             f"--user-data-dir={directory / 'profile'}",
-            "--virtual-time-budget=8000",
+            "--virtual-time-budget=30000",
             "--window-size=1200,1400",
             *options,
         ],
