@@ -192,7 +192,8 @@ def _pure_rotation(moments: SlippageMoments) -> FloatArray:
     aa, ab, bb = float(a @ k @ a), float(a @ k @ b), float(b @ k @ b)
     root = np.sqrt(max(ab * ab - aa * bb, 0.0))
     denominator = ab + (root if ab >= 0.0 else -root)
-    share = 0.0 if abs(aa) < 1e-15 or denominator == 0.0 else -aa / denominator
+    # At a smooth maximum both are the same vector, and have no pitch but rounding to make vanish.
+    share = 0.0 if abs(aa) < 1e-10 or denominator == 0.0 else -aa / denominator
     twist: FloatArray = inverse.T @ (a + share * b)
     return twist
 
