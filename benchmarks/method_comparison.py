@@ -152,7 +152,7 @@ def _picture(solid: Solid, found: dict[str, Figures]) -> None:
     shown = [m for m in METHODS if found[m].label is not None and not m.endswith(f", {LEAST[0]}")]
     labels = {method: found[method].label for method in shown}
     images = [
-        (f"{method}: {found[method].area:.3f} of the area",
+        (f"{method}\n{found[method].area:.3f} of the area",
          render(solid.mesh, by_class(label), TOWARD))
         for method, label in labels.items() if label is not None
     ]  # fmt: skip
