@@ -9,7 +9,8 @@ from tempfile import TemporaryDirectory
 from typing import Any
 
 from gpswb.errors import InputError
-from gpswb.gui.annotation import annotation_of, specification_rows
+from gpswb.gui.annotation import annotation_of
+from gpswb.gui.annotation_rows import specification_rows
 from gpswb.gui.objects.partition import effective_result
 from gpswb.io.ap242.verified import write_verified_ap242
 from gpswb.io.ap242.write import read_text

@@ -3,7 +3,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from gpswb.gps.feature_table import FeatureTable, feature_table
+from gpswb.gps.gps_feature import GpsFeature
+from gpswb.gps.on_faces import features_on
 from gpswb.io.stored_result import StoredResult
 from gpswb.validation.face_result import faces_and_bodies
 
@@ -23,3 +27,11 @@ def features_of(stored: StoredResult) -> FeatureTable:
     table = feature_table(stored.partition, faces, bodies=bodies)
     _last[:] = [(stored, table)]
     return table
+
+
+def features_at(stored: StoredResult, faces: Sequence[str]) -> list[GpsFeature]:
+    """Features that faces may mean: what they make up, then the compounds that hold them."""
+    table = features_of(stored)
+    found = list(features_on(table.features, faces)[0])
+    wanted = set(faces)
+    return found + [f for f in table.compounds if wanted <= set(f.faces) and f not in found]

@@ -9,17 +9,9 @@ import pytest
 from test_partition_object import document, drilled, part  # noqa: F401 - fixtures
 
 from gpswb.errors import InputError
-from gpswb.gui.annotation import (
-    add_datum,
-    add_specification,
-    annotation_of,
-    datums_of,
-    remove_annotation,
-    set_datums,
-    set_specification,
-    take_suggestion,
-)
+from gpswb.gui.annotation import annotation_of, remove_annotation
 from gpswb.gui.colouring import CONSTRAINT, colouring
+from gpswb.gui.datums import add_datum, datums_of, set_datums, take_suggestion
 from gpswb.gui.exports import export
 from gpswb.gui.objects.annotation import annotations_of
 from gpswb.gui.objects.partition import (
@@ -30,6 +22,7 @@ from gpswb.gui.objects.partition import (
     run,
     start_run,
 )
+from gpswb.gui.specifications import add_specification, set_specification
 from gpswb.io.ap242.match import match_faces
 from gpswb.io.ap242.read_pmi import read_pmi
 from gpswb.io.ap242.structure import shapes_of

@@ -12,7 +12,8 @@ import Part
 import pytest
 
 from gpswb.errors import InputError
-from gpswb.gui.annotation import add_datum, add_specification, annotation_of
+from gpswb.gui.annotation import annotation_of
+from gpswb.gui.datums import add_datum
 from gpswb.gui.exports import FORMATS, export
 from gpswb.gui.fingerprint import shape_fingerprint
 from gpswb.gui.importing import import_part
@@ -26,6 +27,7 @@ from gpswb.gui.objects.partition import (
     run,
 )
 from gpswb.gui.preferences import PATH
+from gpswb.gui.specifications import add_specification
 
 # In TopExp order: the box's six faces, the hole, as FreeCAD numbers them.
 CLASSES = ["planar"] * 6 + ["cylindrical"]

@@ -7,12 +7,13 @@ import numpy as np
 from window import PICTURES, click_in_view, picture, pixel_of_face, settle
 
 from gpswb.gps.characteristics import RULES
-from gpswb.gui.annotation import add_specification, set_datums
 from gpswb.gui.compat import QtGui
+from gpswb.gui.datums import set_datums
 from gpswb.gui.frame_picture import frame_picture, symbol_picture
 from gpswb.gui.objects.annotation import annotations_of
 from gpswb.gui.objects.partition import partitions
 from gpswb.gui.panels.show import shown_panel
+from gpswb.gui.specifications import add_specification
 from gpswb.gui.symbols import SYMBOLS
 
 # The block's faces in TopExp order would be an assumption: they are found by what they are.

@@ -2,7 +2,7 @@
 """The document objects of datums, datum systems and specifications, children of a partition.
 
 An object keeps its record as JSON; the other properties say what it comes to on the part as it is
-now, and `gpswb.gui.annotation` fills them.
+now, and `gpswb.gui.annotation_state` fills them.
 """
 
 from __future__ import annotations
@@ -11,6 +11,7 @@ from typing import Any
 
 from gpswb.gui import compat
 from gpswb.gui.annotation_record import Record, read_record, record_text
+from gpswb.gui.objects.stateless import Stateless
 
 _PROPERTIES = (
     # type, name, editor mode (1 read only, 2 hidden), what it is
@@ -27,7 +28,7 @@ _PROPERTIES = (
 )
 
 
-class AnnotationProxy:
+class AnnotationProxy(Stateless):
     """Behaviour of the document object: none, the partition fills it."""
 
     Type = "GpsAnnotation"
@@ -42,15 +43,6 @@ class AnnotationProxy:
     def execute(self, obj: Any) -> None:
         """Nothing depends on anything that the partition doesn't know first."""
 
-    def dumps(self) -> None:
-        return None
-
-    def loads(self, state: Any) -> None:
-        return None
-
-    __getstate__ = dumps
-    __setstate__ = loads
-
 
 def is_annotation(obj: Any) -> bool:
     """Whether a document object is an annotation of ours."""
@@ -62,12 +54,19 @@ def annotations_of(partition: Any) -> list[Any]:
     return [obj for obj in partition.Group if is_annotation(obj)]
 
 
-def new_annotation(partition: Any, record: Record) -> Any:
-    """Add an annotation to a partition; its other properties are still to be filled."""
+def put_annotation(partition: Any, obj: Any, record: Record) -> Any:
+    """Change what an annotation says, or with None for it add one; `refresh_annotations` is due."""
+    if obj is None:
+        return _new(partition, record)
+    obj.Annotation = record_text(record)
+    return obj
+
+
+def _new(partition: Any, record: Record) -> Any:
     name = "Gps" + type(record).__name__.removesuffix("Record")
     obj = partition.Document.addObject("App::FeaturePython", name)
     animate(obj)
-    set_record(obj, record)
+    obj.Annotation = record_text(record)
     partition.addObject(obj)
     return obj
 
@@ -88,8 +87,3 @@ def record_of(obj: Any) -> Record:
         InputError: it is damaged.
     """
     return read_record(obj.Annotation)
-
-
-def set_record(obj: Any, record: Record) -> None:
-    """Change what an annotation says."""
-    obj.Annotation = record_text(record)

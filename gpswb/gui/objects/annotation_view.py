@@ -15,12 +15,13 @@ from gpswb.gui.frame_nodes import frame_nodes
 from gpswb.gui.frame_picture import frame_picture
 from gpswb.gui.icons import icon
 from gpswb.gui.objects.annotation import record_of
+from gpswb.gui.objects.stateless import Stateless
 
 _MODE = "Frame"
 _SHOWN = ("Cells", "Anchor", "Normal", "Mark", "Place")
 
 
-class AnnotationView:
+class AnnotationView(Stateless):
     """Behaviour of the view."""
 
     def __init__(self, view: Any) -> None:
@@ -79,7 +80,7 @@ class AnnotationView:
 
     def onDelete(self, view: Any, subelements: Any) -> bool:
         """What refers to it has to say so; within the step that deletes it."""
-        from gpswb.gui.annotation import refresh_annotations
+        from gpswb.gui.annotation_state import refresh_annotations
 
         partition = partition_of(self.obj)
         if partition is not None:
@@ -93,15 +94,6 @@ class AnnotationView:
         except GpswbError:
             specified = True
         return icon("GPS_Annotate" if specified else "GPS_Datums")
-
-    def dumps(self) -> None:
-        return None
-
-    def loads(self, state: Any) -> None:
-        return None
-
-    __getstate__ = dumps
-    __setstate__ = loads
 
 
 def partition_of(obj: Any) -> Any:

@@ -11,6 +11,7 @@ from typing import Any
 from gpswb.core.partition import Region
 from gpswb.gui import compat, preferences
 from gpswb.gui.objects.situation_shape import situation_shape
+from gpswb.gui.objects.stateless import Stateless
 from gpswb.io.stored_result import StoredResult
 
 _PROPERTIES = (
@@ -38,7 +39,7 @@ _INTRINSIC = {
 }
 
 
-class FeatureProxy:
+class FeatureProxy(Stateless):
     """Behaviour of the document object: none, the partition fills it."""
 
     Type = "GpsFeature"
@@ -52,15 +53,6 @@ class FeatureProxy:
 
     def execute(self, obj: Any) -> None:
         """Nothing depends on anything that the partition doesn't know first."""
-
-    def dumps(self) -> None:
-        return None
-
-    def loads(self, state: Any) -> None:
-        return None
-
-    __getstate__ = dumps
-    __setstate__ = loads
 
 
 def is_feature(obj: Any) -> bool:

@@ -6,9 +6,10 @@ from __future__ import annotations
 from typing import Any
 
 from gpswb.gui.icons import class_icon
+from gpswb.gui.objects.stateless import Stateless
 
 
-class FeatureView:
+class FeatureView(Stateless):
     """Behaviour of the view."""
 
     def __init__(self, view: Any) -> None:
@@ -26,12 +27,3 @@ class FeatureView:
     def getIcon(self) -> str:
         """A dot in the class's colour."""
         return class_icon(self.obj.Class)
-
-    def dumps(self) -> None:
-        return None
-
-    def loads(self, state: Any) -> None:
-        return None
-
-    __getstate__ = dumps
-    __setstate__ = loads

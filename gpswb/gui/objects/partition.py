@@ -23,6 +23,7 @@ from gpswb.gui.fingerprint import shape_fingerprint
 from gpswb.gui.objects.annotation import animate as animate_annotation
 from gpswb.gui.objects.feature import animate as animate_feature
 from gpswb.gui.objects.feature import sync_features
+from gpswb.gui.objects.stateless import Stateless
 from gpswb.gui.overrides import Action, apply_overrides, from_json, override_on, to_json
 from gpswb.gui.runs import Run
 from gpswb.io.stored_result import StoredResult, read_stored_result
@@ -51,7 +52,7 @@ _PROPERTIES = (
 )
 
 
-class PartitionProxy:
+class PartitionProxy(Stateless):
     """Behaviour of the document object."""
 
     Type = "GpsPartition"
@@ -83,15 +84,6 @@ class PartitionProxy:
     def onDocumentRestored(self, obj: Any) -> None:
         """Give documents of older versions the properties that came later."""
         _add_properties(obj)
-
-    def dumps(self) -> None:
-        return None
-
-    def loads(self, state: Any) -> None:
-        return None
-
-    __getstate__ = dumps
-    __setstate__ = loads
 
 
 def _add_properties(obj: Any) -> None:
@@ -224,7 +216,7 @@ def show_result(obj: Any) -> Iterator[None]:
     obj.Status = CURRENT
     yield
     yield from sync_features(obj, stored)
-    from gpswb.gui.annotation import refresh_annotations
+    from gpswb.gui.annotation_state import refresh_annotations
 
     refresh_annotations(obj)
     obj.purgeTouched()

@@ -16,13 +16,14 @@ from gpswb.gui.icons import icon
 from gpswb.gui.objects.annotation import annotations_of
 from gpswb.gui.objects.feature import features
 from gpswb.gui.objects.partition import STALE, effective_result, partitions, stored_datums
+from gpswb.gui.objects.stateless import Stateless
 from gpswb.gui.panels.legend import refresh_legend
 from gpswb.gui.source_colours import restore_colours, show_colours, watch
 
 FACES, FACETS = "Faces", "Facets"
 
 
-class PartitionView:
+class PartitionView(Stateless):
     """Behaviour of the view."""
 
     def __init__(self, view: Any) -> None:
@@ -110,15 +111,6 @@ class PartitionView:
         """The wheel, faded where the result is out of date."""
         stale = getattr(self.obj, "Status", "") == STALE
         return icon("GPS_Partition_stale" if stale else "GPS_Partition")
-
-    def dumps(self) -> None:
-        return None
-
-    def loads(self, state: Any) -> None:
-        return None
-
-    __getstate__ = dumps
-    __setstate__ = loads
 
 
 def _colours_of(view: Any) -> Colouring | None:

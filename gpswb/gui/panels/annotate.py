@@ -14,7 +14,7 @@ from gpswb.gps.gps_feature import GpsFeature
 from gpswb.gps.specifications import Specification
 from gpswb.gps.specified import specify
 from gpswb.gui import compat
-from gpswb.gui.annotation import annotation_of, features_at, set_specification
+from gpswb.gui.annotation import annotation_of
 from gpswb.gui.annotation_record import SpecificationRecord
 from gpswb.gui.compat import QtGui, QtWidgets, translate
 from gpswb.gui.frame_picture import frame_picture
@@ -25,7 +25,9 @@ from gpswb.gui.one_step import one_step
 from gpswb.gui.panels.density import let_shrink
 from gpswb.gui.panels.show import close_panel
 from gpswb.gui.panels.symbol_grid import SIZE, SymbolGrid
+from gpswb.gui.part_features import features_at
 from gpswb.gui.selection import chosen_faces, select_faces
+from gpswb.gui.specifications import set_specification
 from gpswb.io.specification_file import specification_row
 
 _MODIFIERS = ("M", "L", "R")

@@ -12,8 +12,9 @@ from gpswb.errors import GpswbError
 from gpswb.gps.annotation import Annotation, annotate
 from gpswb.gps.explain import explain_feature, explain_lock
 from gpswb.gui import compat
-from gpswb.gui.annotation import datums_of, explain_system, set_datums, suggested_datums
+from gpswb.gui.annotation_state import explain_system
 from gpswb.gui.compat import QtGui, QtWidgets, translate
+from gpswb.gui.datums import datums_of, set_datums, suggested_datums
 from gpswb.gui.icons import icon
 from gpswb.gui.objects.partition import effective_result
 from gpswb.gui.one_step import one_step

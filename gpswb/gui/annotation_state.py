@@ -1,0 +1,150 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""What the annotations of a partition come to on the part as it is now.
+
+A part that changes takes its annotations along: their faces are found again by area and centre, and
+what has no place any more says so in its ``Status``.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+from gpswb.errors import GpswbError, InputError
+from gpswb.gps.annotation import Annotation, annotate
+from gpswb.gps.datum_system import DatumSystem, Freedom, datum_system
+from gpswb.gps.explain import explain_datum_system, explain_freedom
+from gpswb.gps.feature_table import FeatureTable
+from gpswb.gps.specifications import permitted_specifications
+from gpswb.gps.specified import GeometricalTolerance, Specified, specify
+from gpswb.gps.twists import rotations_of, translations_of
+from gpswb.gui.annotation_record import DatumRecord, SystemRecord
+from gpswb.gui.annotation_rows import UNPLACED, choice_of, faces_now, row_of
+from gpswb.gui.frame_places import MARK, anchor_on, frame_places
+from gpswb.gui.objects.annotation import annotations_of, record_of
+from gpswb.gui.objects.partition import effective_result
+from gpswb.gui.part_features import features_of
+from gpswb.io.stored_result import StoredResult
+
+
+def refresh_annotations(partition: Any, without: Any = None) -> None:
+    """Find the faces of all annotations again, and say what each comes to.
+
+    Args:
+        without: an annotation that is about to be deleted.
+    """
+    objects = [obj for obj in annotations_of(partition) if obj is not without]
+    if not objects:
+        if partition.Datums:
+            partition.Datums = partition.DatumSystem = ""
+        return
+    stored, _ = effective_result(partition)
+    datums: dict[str, str] = {}
+    notation = ""
+    for obj in objects:
+        _clear(obj)
+        try:
+            record = record_of(obj)
+            if isinstance(record, SystemRecord):
+                notation = notation or record.notation
+                continue
+            faces, notes = faces_now(stored, record.faces)
+            obj.Faces = [(partition.Source, tuple(face.name for face in faces))]
+            obj.Message = "; ".join(notes)
+            if isinstance(record, DatumRecord):
+                datums[record.letter] = choice_of(faces)
+        except GpswbError as error:
+            obj.Status, obj.Message = UNPLACED, str(error)
+    annotation = _in_force(stored, datums, notation)
+    partition.Datums = ",".join(f"{letter}={choice}" for letter, choice in datums.items())
+    partition.DatumSystem = notation if annotation.given else ""
+    for obj in objects:
+        if obj.Status != UNPLACED:
+            _describe(obj, stored, annotation)
+    _place(stored, [obj for obj in objects if obj.Cells])
+    for obj in objects:
+        obj.purgeTouched()
+
+
+def explain_system(system: DatumSystem, needed: int) -> str:
+    """What each letter locks, and what stays free of the part."""
+    text = explain_datum_system(system, needed)
+    if not 0 < system.degrees < 6:
+        return text
+    free = Freedom(translations_of(system.free), rotations_of(system.free), False)
+    said = explain_freedom(free)
+    return f"{text}\nOf the part {said}."
+
+
+def _in_force(stored: StoredResult, datums: dict[str, str], notation: str) -> Annotation:
+    """Features and datum system; where the system names a datum that is gone, every letter in turn;
+    with no datum the suggested one."""
+    table = features_of(stored)
+    try:
+        return annotate(table, list(datums.items()), (), notation if datums else "")
+    except InputError:
+        return annotate(table, list(datums.items()))
+
+
+def _describe(obj: Any, stored: StoredResult, annotation: Annotation) -> None:
+    record, notes = record_of(obj), obj.Message
+    try:
+        if isinstance(record, SystemRecord):
+            system = annotation.system
+            if system is None or not annotation.given:
+                raise InputError("none of its datums is there")
+            if system.notation != record.notation:
+                raise InputError(f"a datum of {record.notation} isn't there")
+            obj.Label = f"Datum system {system.notation}"
+            obj.Status = "complete" if system.degrees >= annotation.needed else "not complete"
+            obj.Message = explain_system(system, annotation.needed)
+            return
+        if isinstance(record, DatumRecord):
+            features = annotation.letters[record.letter]
+            obj.Label, obj.Cells = f"Datum {record.letter}", [record.letter]
+            obj.Status, obj.Message = "allowed", notes
+        else:
+            (said,) = specify([row_of(stored, record)], annotation.table, annotation.letters)
+            features = (said.feature,)
+            obj.Label = f"{record.words['characteristic'].capitalize()} of {said.feature.name}"
+            obj.Cells = list(said.cells)
+            obj.Status, why = _judged(said, annotation.table)
+            obj.Message = "; ".join(text for text in (why, notes) if text)
+        obj.Feature = ", ".join(feature.name for feature in features)
+    except GpswbError as error:
+        obj.Status, obj.Message = UNPLACED, str(error)
+
+
+def _judged(said: Specified, table: FeatureTable) -> tuple[str, str]:
+    """Status of a specification under its own datums, and the reason."""
+    if not isinstance(said, GeometricalTolerance):
+        return "allowed", ""
+    if said.remark:
+        return "not allowed", said.remark
+    system = datum_system(said.datums, table.frame) if said.datums else None
+    rows = permitted_specifications(said.feature, system)
+    row = next(row for row in rows if row.characteristic == said.characteristic)
+    return row.status, row.reason
+
+
+def _place(stored: StoredResult, objects: Sequence[Any]) -> None:
+    """Spread the frames beside the part."""
+    index = {face.name: i for i, face in enumerate(stored.faces)}
+    taken: list[Any] = []
+    for obj in objects:
+        faces = [index[name] for _, names in obj.Faces for name in names]
+        point, normal = anchor_on(stored, faces, taken)
+        taken.append(point)
+        obj.Anchor, obj.Normal = tuple(point.tolist()), tuple(normal.tolist())
+    if objects:
+        vertices = stored.solid.mesh.vertices
+        corners = np.array([vertices.min(axis=0), vertices.max(axis=0)])
+        for obj, place in zip(objects, frame_places(np.array(taken), corners), strict=True):
+            obj.Mark = MARK * stored.solid.mesh.diagonal
+            obj.Place = tuple(place.tolist())
+
+
+def _clear(obj: Any) -> None:
+    obj.Cells, obj.Status, obj.Message, obj.Feature = [], "", "", ""
