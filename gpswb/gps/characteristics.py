@@ -91,6 +91,9 @@ RULES: dict[Characteristic, Rule] = {
     ),
 }
 
+GROUPED: dict[str, Family] = {"cylinder": "cylinder", "cone": "cone", "helicoid": "helical"}
+"""Family of each surface that a group can hold."""
+
 
 def family(feature: GpsFeature) -> Family:
     """The family whose specifications a feature shares."""

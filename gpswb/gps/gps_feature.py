@@ -61,7 +61,7 @@ class GpsFeature:
         interrupted: several surfaces that are to be taken as one (UF).
         sure: recognition left no other class open.
         whole: a cylinder or cone that goes all round its axis; True for other features.
-        members: ids of the features that a compound is made of.
+        members: ids of the features that a compound is made of; ``surfaces``: their surfaces.
         regions: ids of its regions.
         faces: names of its B-rep faces.
         area: mm².
@@ -89,6 +89,7 @@ class GpsFeature:
     sure: bool = True
     whole: bool = True
     members: tuple[int, ...] = ()
+    surfaces: frozenset[str] = frozenset()
     body: int = 0
     points: FloatArray = field(default_factory=lambda: np.zeros((0, 3)))
     facets: FloatArray = field(default_factory=lambda: np.zeros((0, 3, 3)))
@@ -138,5 +139,6 @@ def group_of(
         arrangement=arrangement,
         sure=all(member.sure for member in members),
         members=tuple(member.id for member in members),
+        surfaces=frozenset(member.surface for member in members),
         body=members[0].body,
     )

@@ -23,13 +23,15 @@ def hole_patterns(
 ) -> list[GpsFeature]:
     """Two or more equal holes (or pins) with parallel axes that lie side by side.
 
+    They go all round: rounded ends of a flange that cover more than half a turn are no pins.
     The arrangement is linear, circle (evenly spaced, or about a round feature), grid, or free where
     it is none of these; ``intrinsic`` gives count, diameter, and pitches or pitch circle (mm).
     """
     round_ = [
         f
         for f in features
-        if f.surface == "cylinder" and f.size and f.material != "neither" and len(f.points)
+        if f.surface == "cylinder" and f.size and f.whole and f.material != "neither"
+        if len(f.points)
     ]
     groups: list[list[GpsFeature]] = []
     for feature in sorted(round_, key=lambda f: f.id):

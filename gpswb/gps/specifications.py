@@ -6,7 +6,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Literal
 
-from gpswb.gps.characteristics import RULES, Characteristic, Family, Group, family
+from gpswb.gps.characteristics import GROUPED, RULES, Characteristic, Family, Group, family
 from gpswb.gps.datum_system import DatumSystem, datum_system
 from gpswb.gps.explain import explain_freedom
 from gpswb.gps.gps_feature import GpsFeature
@@ -161,6 +161,10 @@ def _judge(
     rule = RULES[name]
     if kind not in rule.families:
         return "not allowed", f"{feature.name}: {rule.otherwise}"
+    if kind == "group" and rule.group in ("form", "run-out"):  # it is said of each by itself
+        for surface in sorted(feature.surfaces):
+            if GROUPED[surface] not in rule.families:
+                return "not allowed", f"{feature.name} holds a {surface}: {rule.otherwise}"
     if name == "symmetry" and kind == "cylinder" and feature.size is None:
         return "not allowed", "an arc of at most half a turn has no median line"
     if rule.group == "form":

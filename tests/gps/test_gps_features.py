@@ -350,6 +350,15 @@ def test_unequal_or_crosswise_holes_make_no_pattern():
     assert of_kind(table(part)[1], "hole pattern") == []
 
 
+def test_rounded_ends_that_cover_more_than_half_a_turn_are_no_pins():
+    part = Part()
+    for x in (0.0, 30.0):
+        part.cylinder((x, 0.0, 0.0), Z, 10.0, 5.0, arc=np.radians(220.0))
+    features, compounds = table(part)
+    assert [f.size.value for f in features if f.kind == "integral"] == pytest.approx([20.0, 20.0])
+    assert of_kind(compounds, "pin pattern") == []
+
+
 def test_counterbore_countersink_and_drill_point():
     part = Part()
     part.plane((50.0, 0.0, 40.0), Z, X, 200.0, 60.0)

@@ -230,3 +230,19 @@ def test_interrupted_features_are_united():
     p.cylinder((0.0, 0.0, 30.0), Z, 20.0, 5.0, hole=True)
     bore = next(f for f in maximal_features(p.partition()) if f.interrupted)
     assert {s.combination for s in permitted_specifications(bore)} == {"UF"}
+
+
+def test_form_of_a_group_is_that_of_each_of_its_features():
+    """A countersink holds a cone, which has roundness but no cylindricity."""
+    p = Part()
+    p.plane((0.0, 0.0, 40.0), Z, X, 60.0, 60.0)
+    p.cylinder((0.0, 0.0, 0.0), Z, 5.0, 30.0, hole=True)
+    p.cone((0.0, 0.0, 30.0), Z, 5.0, 15.0, 10.0, hole=True)
+    p.cylinder((25.0, 0.0, 0.0), Z, 4.0, 30.0, hole=True)
+    p.cylinder((25.0, 0.0, 30.0), Z, 8.0, 10.0, hole=True)
+    compounds = compound_features(maximal_features(p.partition()), p.frame)
+    said = {c.kind: {s.characteristic: s for s in permitted_specifications(c)} for c in compounds}
+    assert said["counterbore"]["cylindricity"].status == "allowed"
+    assert said["countersink"]["roundness"].status == "allowed"
+    assert said["countersink"]["cylindricity"].status == "not allowed"
+    assert said["countersink"]["cylindricity"].reason.endswith("a cone: it isn't a cylinder")
