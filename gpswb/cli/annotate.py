@@ -29,7 +29,7 @@ OWNED = (
 )
 """Every file that this verb may write in the output directory."""
 
-_DATUM = re.compile(r"\s*([A-Z]{1,2})\s*=\s*([^,=]+?)\s*")
+_DATUM = re.compile(r"\s*([A-Z]{1,3})\s*=\s*([^,=]+?)\s*")
 
 
 def register(verbs: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
@@ -47,6 +47,13 @@ def register(verbs: argparse._SubParsersAction[argparse.ArgumentParser]) -> None
         default=(),
         metavar="A=Face1,B=Face5+Face6,...",
         help="datum features in order of precedence, by faces or by names of the feature table",
+    )
+    parser.add_argument(
+        "--system",
+        default="",
+        metavar="A|B-C|D><",
+        help="datum system of these datums: B-C is a common datum, >< locks orientation only; "
+        "default: each letter in turn",
     )
     parser.add_argument(
         "--specs",
@@ -109,12 +116,14 @@ def _work(args: argparse.Namespace, draft: Path) -> tuple[list[str], list[str]]:
     for option, asked in (("--ap242", args.ap242), ("--coloured", args.coloured)):
         if asked and args.input.suffix.lower() not in STEP:
             raise InputError(f"{args.input}: {option} is for STEP files")
+    if args.system and not args.datums:
+        raise InputError("--system is made of the letters that --datums gives")
     rows = read_specifications(args.specs) if args.specs else ()
     settings = Settings(args.density, args.mode, args.method, args.kernel, unit=args.unit)
     with stage_bar() as progress:
         outcome = examine(args.input, settings, progress)
     table = features_of(outcome)
-    annotation = annotate(table, args.datums, rows)
+    annotation = annotate(table, args.datums, rows, args.system)
     present, note = read_present(args.input, outcome.solid)
     if note:
         outcome = replace(outcome, solid=replace(outcome.solid, notes=(*outcome.solid.notes, note)))

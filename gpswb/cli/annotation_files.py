@@ -107,7 +107,12 @@ def _export(path: Path, source: Path, solid: Solid, annotation: Annotation) -> s
         check_read_back(path, differences(wanted, read_pmi_ocp(path), occt=True))
         by = "read back, by OCCT as well"
     whose = "" if annotation.given else "suggested "
-    return (
-        f"ap242.step: {len(wanted.datums)} {whose}datums, {len(wanted.tolerances)} tolerances and "
-        f"{len(wanted.sizes)} sizes appended and {by}"
-    )
+    counts = {
+        f"{whose}datum": len(wanted.datums),
+        "tolerance": len(wanted.tolerances),
+        "size": len(wanted.sizes),
+    }
+    appended = ", ".join(f"{n} {what}{'' if n == 1 else 's'}" for what, n in counts.items())
+    left = sum(each.open for each in annotation.specified)
+    rest = f"; {left} without a value left out" if left else ""
+    return f"ap242.step: {appended} appended and {by}{rest}"

@@ -87,7 +87,7 @@ def _feature_lines(annotation: Annotation) -> list[str]:
             feature.derived,
             f"{feature.area:.6g}",
             letters.get(feature.id, ""),
-            _names(feature.faces) + (f"  (solid {feature.body + 1})" if several else ""),
+            _names(feature.faces) + (f"  ({_body(feature)})" if several else ""),
         )
         for feature in shown
     ]
@@ -126,6 +126,10 @@ def _permitted_lines(annotation: Annotation) -> list[str]:
 
 def _indented(text: str) -> list[str]:
     return [f"  {line}" for line in text.splitlines()]
+
+
+def _body(feature: GpsFeature) -> str:
+    return f"solid {feature.body + 1}" if feature.body >= 0 else "no solid"
 
 
 def _names(names: tuple[str, ...]) -> str:

@@ -10,12 +10,13 @@ import numpy as np
 from gpswb.core.mesh import FloatArray
 from gpswb.gps.datum_system import DatumSystem, Freedom, Lock
 from gpswb.gps.gps_feature import GpsFeature
+from gpswb.gps.twists import rotations_of, translations_of
 
 _NUMBERS = ("no", "one", "two", "three", "four", "five", "six")
 
 
 def explain_datum_system(system: DatumSystem, needed: int) -> str:
-    """A sentence for each letter, and one for the system.
+    """A sentence for each letter, one for the system, and one on what it leaves free of the part.
 
     Args:
         needed: degrees of freedom that the part lets any datum system lock.
@@ -35,6 +36,9 @@ def explain_datum_system(system: DatumSystem, needed: int) -> str:
             f"Together they lock {_NUMBERS[system.degrees]} of the {_NUMBERS[needed]} degrees of "
             "freedom that this part's datums can lock: not complete."
         )
+    if system.degrees < 6:
+        free = Freedom(translations_of(system.free), rotations_of(system.free), False)
+        lines.append(f"Of the part {explain_freedom(free)}.")
     return "\n".join(lines)
 
 

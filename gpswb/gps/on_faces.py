@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from difflib import get_close_matches
 
 from gpswb.errors import InputError
 from gpswb.gps.gps_feature import GpsFeature
@@ -45,5 +46,8 @@ def chosen_features(features: Sequence[GpsFeature], text: str) -> tuple[GpsFeatu
     found, unknown = features_on(features, faces)
     if unknown:
         where = "" if unknown[0] == text.strip() else f" in {text!r}"
-        raise InputError(f"{unknown[0]!r}{where} is neither a feature nor a face of one")
+        known = [*(f.name for f in features), *(name for f in features for name in f.faces)]
+        near = get_close_matches(unknown[0], known, 1)
+        hint = f"; did you mean {near[0]!r}?" if near else ""
+        raise InputError(f"{unknown[0]!r}{where} is neither a feature nor a face of one{hint}")
     return tuple(dict.fromkeys([*named, *found]))

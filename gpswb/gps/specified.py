@@ -122,7 +122,10 @@ def specify(
 
 
 def _specify(row: SpecificationRow, table: FeatureTable, letters: Letters) -> Specified:
-    found = chosen_features(table.features, row.feature)
+    try:
+        found = chosen_features(table.features, row.feature)
+    except InputError as error:
+        raise InputError(f"specification {row.characteristic}: {error}") from None
     if len(found) != 1:
         names = ", ".join(feature.name for feature in found)
         raise InputError(f"specification of {row.feature!r}: that is {names}; name one feature")

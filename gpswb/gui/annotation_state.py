@@ -14,12 +14,11 @@ import numpy as np
 
 from gpswb.errors import GpswbError, InputError
 from gpswb.gps.annotation import Annotation, annotate
-from gpswb.gps.datum_system import DatumSystem, Freedom, datum_system
-from gpswb.gps.explain import explain_datum_system, explain_freedom
+from gpswb.gps.datum_system import datum_system
+from gpswb.gps.explain import explain_datum_system
 from gpswb.gps.feature_table import FeatureTable
 from gpswb.gps.specifications import permitted_specifications
 from gpswb.gps.specified import GeometricalTolerance, Specified, specify
-from gpswb.gps.twists import rotations_of, translations_of
 from gpswb.gui.annotation_record import DatumRecord, SystemRecord
 from gpswb.gui.annotation_rows import UNPLACED, choice_of, faces_now, row_of
 from gpswb.gui.frame_places import MARK, anchor_on, frame_places
@@ -68,16 +67,6 @@ def refresh_annotations(partition: Any, without: Any = None) -> None:
         obj.purgeTouched()
 
 
-def explain_system(system: DatumSystem, needed: int) -> str:
-    """What each letter locks, and what stays free of the part."""
-    text = explain_datum_system(system, needed)
-    if not 0 < system.degrees < 6:
-        return text
-    free = Freedom(translations_of(system.free), rotations_of(system.free), False)
-    said = explain_freedom(free)
-    return f"{text}\nOf the part {said}."
-
-
 def _in_force(stored: StoredResult, datums: dict[str, str], notation: str) -> Annotation:
     """Features and datum system; where the system names a datum that is gone, every letter in turn;
     with no datum the suggested one."""
@@ -99,7 +88,7 @@ def _describe(obj: Any, stored: StoredResult, annotation: Annotation) -> None:
                 raise InputError(f"a datum of {record.notation} isn't there")
             obj.Label = f"Datum system {system.notation}"
             obj.Status = "complete" if system.degrees >= annotation.needed else "not complete"
-            obj.Message = explain_system(system, annotation.needed)
+            obj.Message = explain_datum_system(system, annotation.needed)
             return
         if isinstance(record, DatumRecord):
             features = annotation.letters[record.letter]

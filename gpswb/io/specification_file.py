@@ -16,6 +16,7 @@ from gpswb.errors import InputError
 from gpswb.gps.specified import SpecificationRow
 
 COLUMNS = ("feature", "characteristic", "value", "datums", "modifiers", "upper", "lower", "fit")
+_NUMBERS = ("value", "upper", "lower")
 _MODIFIERS = {"M": "Ⓜ", "L": "Ⓛ", "R": "Ⓡ", "Ⓜ": "Ⓜ", "Ⓛ": "Ⓛ", "Ⓡ": "Ⓡ"}
 _FIT = re.compile(r"(?:[A-HJ-NPR-VX-Z]|CD|EF|FG|JS|Z[ABC])(?:01|1[0-8]|[0-9])", re.IGNORECASE)
 _MOST_BYTES = 4_000_000
@@ -76,10 +77,19 @@ def _json(path: Path, text: str) -> list[Mapping[str, Any]]:
 
 
 def _csv(path: Path, text: str) -> list[Mapping[str, Any]]:
+    """Separated as the first line is; with semicolons a comma is a decimal comma."""
+    head = text.partition("\n")[0]
+    separator = max(",;\t", key=head.count)
     try:
-        return list(csv.DictReader(io.StringIO(text), strict=True))
+        rows = list(csv.DictReader(io.StringIO(text), delimiter=separator, strict=True))
     except csv.Error as error:
         raise InputError(f"{path}: not CSV ({error})") from None
+    for number, row in enumerate(rows, start=1):
+        if None in row:
+            raise InputError(f"{path}, specification {number}: more cells than the first line has")
+        if separator == ";":
+            row.update({key: row[key].replace(",", ".") for key in _NUMBERS if row.get(key)})
+    return rows
 
 
 def specification_row(where: str, row: Mapping[str, Any]) -> SpecificationRow:

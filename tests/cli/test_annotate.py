@@ -31,6 +31,7 @@ SPECS = """feature,characteristic,value,datums,modifiers,upper,lower,fit
 Hole 1,position,0.2,A|B|C,M,,,
 Face1,flatness,0.05,,,,,
 Hole 1,size,,,,0.02,-0.1,
+Plane 2,parallelism,?,A,,,,
 """
 DATUMS = "A=Plane 1,B=Plane 3,C=Plane 5"
 
@@ -45,7 +46,8 @@ def test_all_outputs_of_a_part_with_an_evil_name(
     assert (done.returncode, done.stderr) == (0, "")
     assert "7 features, 3 compounds" in done.stdout
     assert (
-        "3 datums, 2 tolerances and 1 sizes appended and read back, by OCCT as well" in done.stdout
+        "3 datums, 2 tolerances, 1 size appended and read back, by OCCT as well; 1 without a value "
+        "left out" in done.stdout
     )
     assert {p.name for p in out.iterdir()} == {
         "features.json", "features.csv", "specifications.csv", "ap242.step", "part.qif",
@@ -55,7 +57,7 @@ def test_all_outputs_of_a_part_with_an_evil_name(
     hole = next(f for f in document["features"] if f["name"] == "Hole 1")
     assert (hole["size"]["value"], hole["material"]) == (pytest.approx(8.0, abs=1e-3), "internal")
     assert [row["indication"] for row in document["specified"]] == [
-        "⌖ Ø0.2 Ⓜ | A | B | C", "⏥ 0.05", "Ø8 +0.02/-0.1"
+        "⌖ Ø0.2 Ⓜ | A | B | C", "⏥ 0.05", "Ø8 +0.02/-0.1", "∥ ? | A"
     ]  # fmt: skip
     written = (out / "ap242.step").read_text("latin-1")
     original = evil_step.read_text("latin-1")
@@ -98,6 +100,8 @@ def test_pmi_that_is_in_the_file_is_reviewed(
     ("datums", "specs", "code", "words"),
     [
         ("A=Face99", None, 1, "datum A: 'Face99' is neither a feature nor a face of one"),
+        ("A=Plane 11", None, 1, "nor a face of one; did you mean 'Plane 1'?"),
+        ("A=Face1", "feature,characteristic\nFace1,flatness,1\n", 1, "1: more cells than"),
         ("A", None, 2, "'A' is no datum; write A=Face1"),
         ("A=Face1", "", 1, "there is no specification in it"),
         ("A=Face1", "name\nx\n", 1, "'name' is none of feature, characteristic"),
@@ -128,6 +132,24 @@ def test_wrong_input_is_one_line(
     if code == 1:
         assert done.stderr.startswith("gpswb: ")
         assert done.stderr.count("\n") == 1
+
+
+def test_a_table_of_another_country_and_a_common_datum(
+    gpswb: Command, block_step: Path, tmp_path: Path
+) -> None:
+    """Semicolons and decimal commas; the second datum is two faces under letters of their own."""
+    table, out = tmp_path / "specs.csv", tmp_path / "out"
+    table.write_text("feature;characteristic;value;datums\nHole 1;position;0,25;A|B-C\n", "utf-8")
+    words = ["--datums", DATUMS, "--system", "A|B-C><", "--specs", table, "--no-report"]
+    done = gpswb("annotate", block_step, "--out", out, *words)
+    assert (done.returncode, done.stderr) == (0, "")
+    assert "datum system A|B-C><\n" in done.stdout
+    assert "Of the part translation along any direction" in done.stdout
+    (row,) = json.loads((out / "features.json").read_text("utf-8"))["specified"]
+    assert row["indication"] == "⌖ Ø0.25 | A | B-C"
+    done = gpswb("annotate", block_step, "--out", out, "--system", "A|B")
+    assert (done.returncode, done.stdout) == (1, "")
+    assert "--system is made of the letters that --datums gives" in done.stderr
 
 
 def test_what_needs_a_step_file_says_so_at_once(gpswb: Command, tmp_path: Path) -> None:

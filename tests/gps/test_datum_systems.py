@@ -241,13 +241,17 @@ def test_an_undecided_feature_takes_no_symmetry_from_the_part():
 def test_the_explanation_names_letters_degrees_and_redundancy(letters):
     features, frame = letters
     text = explain_datum_system(datum_system(parse_datums("A|F|D><", features), frame), 6)
-    first, second, third, last = text.splitlines()
+    first, second, third, last, free = text.splitlines()
     assert first.startswith("A (Plane")
     assert first.endswith("locks one translation and two rotations.")
     assert second.startswith("F (")
     assert "redundant" in second
     assert "for orientation only" in third
     assert "three of the six" in last
+    assert free == (
+        "Of the part translation along any direction perpendicular to Z and rotation about Z "
+        "stays free."
+    )
     complete = explain_datum_system(datum_system(parse_datums("A|B|C", features), frame), 6)
     assert complete.endswith("Together they lock six of six: complete.")
     assert explain_datum_system(datum_system((), frame), 6) == "Without a datum nothing is locked."

@@ -10,9 +10,8 @@ import FreeCADGui
 
 from gpswb.errors import GpswbError
 from gpswb.gps.annotation import Annotation, annotate
-from gpswb.gps.explain import explain_feature, explain_lock
+from gpswb.gps.explain import explain_datum_system, explain_feature, explain_lock
 from gpswb.gui import compat
-from gpswb.gui.annotation_state import explain_system
 from gpswb.gui.compat import QtGui, QtWidgets, translate
 from gpswb.gui.datums import datums_of, set_datums, suggested_datums
 from gpswb.gui.icons import icon
@@ -178,4 +177,6 @@ class DatumsPanel:
             if letter in locks:
                 lines.append(explain_lock(locks[letter]))
             self.texts[letter].setText("\n".join(lines))
-        self.text.setText(escape(explain_system(found.system, found.needed)).replace("\n", "<br>"))
+        self.text.setText(
+            escape(explain_datum_system(found.system, found.needed)).replace("\n", "<br>")
+        )
