@@ -76,7 +76,7 @@ def _json(path: Path, text: str) -> list[Mapping[str, Any]]:
     return rows
 
 
-def _csv(path: Path, text: str) -> list[Mapping[str, Any]]:
+def _csv(path: Path, text: str) -> list[dict[str, Any]]:
     """Separated as the first line is; with semicolons a comma is a decimal comma."""
     head = text.partition("\n")[0]
     separator = max(",;\t", key=head.count)
