@@ -45,6 +45,18 @@ def show_error(text: str) -> None:
     QtWidgets.QMessageBox.warning(main_window(), "GPS", text)
 
 
+def show_note(text: str) -> None:
+    """What there is to know of something that was done, for the user to read or to pass over."""
+    FreeCAD.Console.PrintMessage(f"GPS: {text}\n")
+    box = QtWidgets.QMessageBox(main_window())
+    box.setIcon(QtWidgets.QMessageBox.Information)
+    box.setWindowTitle("GPS")
+    box.setTextFormat(QtCore.Qt.PlainText)  # it may hold the name of a file
+    box.setText(text)
+    box.setAttribute(QtCore.Qt.WA_DeleteOnClose)
+    box.open()  # goes on at once
+
+
 def standard_buttons(*names: str) -> int:
     """What a task panel's ``getStandardButtons`` gives, by names of Qt's standard buttons."""
     box = QtWidgets.QDialogButtonBox

@@ -12,6 +12,7 @@ from gpswb.errors import InputError
 from gpswb.gui.annotation import annotation_of
 from gpswb.gui.annotation_rows import specification_rows
 from gpswb.gui.objects.partition import effective_result
+from gpswb.gui.original_file import original_of
 from gpswb.io.ap242.verified import write_verified_ap242
 from gpswb.io.ap242.write import read_text
 from gpswb.io.faces_csv import write_faces
@@ -62,24 +63,32 @@ def _specifications_csv(path: Path, obj: Any) -> None:
 
 
 def _given_csv(path: Path, obj: Any) -> None:
+    annotation_of(obj)  # a document may be damaged: only what a table can say goes into one
     write_specifications(path, specification_rows(obj))
 
 
-def _ap242(path: Path, obj: Any) -> None:
-    """The part as FreeCAD writes it, with the annotations appended as `gpswb annotate` does."""
-    stored, annotation = effective_result(obj)[0], annotation_of(obj)
-    with TemporaryDirectory() as folder:
-        plain = Path(folder) / "part.step"
-        obj.Source.Shape.exportStep(str(plain))
-        text = read_text(plain)
-    write_verified_ap242(path, text, stored.solid, annotation.letters, annotation.specified)
+def _ap242(path: Path, obj: Any) -> str:
+    """The text of the part's own STEP file with the annotations appended as `gpswb annotate` does;
+    where that can't be, the part as FreeCAD writes it, and why."""
+    solid, annotation = effective_result(obj)[0].solid, annotation_of(obj)
+    pmi = annotation.letters, annotation.specified
+    try:
+        write_verified_ap242(path, *original_of(obj.Source, solid), *pmi)
+    except InputError as error:
+        with TemporaryDirectory() as folder:
+            plain = Path(folder) / "part.step"
+            obj.Source.Shape.exportStep(str(plain))
+            text = read_text(plain)
+        write_verified_ap242(path, text, solid, *pmi)
+        return f"PMI is not on the original STEP text but on the part as FreeCAD writes it: {error}"
+    return f"PMI is appended to the text of {obj.Source.StepFile}"
 
 
 def _qif(path: Path, obj: Any) -> None:
     write_qif(path, annotation_of(obj), obj.Source.Label)
 
 
-FORMATS: Mapping[str, tuple[str, Callable[[Path, Any], None]]] = {
+FORMATS: Mapping[str, tuple[str, Callable[[Path, Any], str | None]]] = {
     ".html": ("Report", _report),
     ".json": ("Result", _result),
     ".csv": ("Faces", _faces),
@@ -92,11 +101,14 @@ FORMATS: Mapping[str, tuple[str, Callable[[Path, Any], None]]] = {
     ".ply": ("Mesh coloured by class", _ply),
     ".npz": ("Mesh with labels", _labels),
 }
-"""Kind and writer by suffix, the longer suffix where two fit."""
+"""Kind and writer by suffix, the longer where two fit; a writer may have something to say."""
 
 
-def export(obj: Any, path: Path) -> None:
+def export(obj: Any, path: Path) -> str:
     """Write a partition as what the file's suffix says, whole or not at all.
+
+    Returns:
+        What there is to say of it; empty for nothing.
 
     Raises:
         InputError: it has no result, or the suffix is unknown.
@@ -108,4 +120,4 @@ def export(obj: Any, path: Path) -> None:
         raise InputError(f"{path.name}: the name must end in one of {', '.join(FORMATS)}")
     _, write = FORMATS[max(fitting, key=len)]
     with whole_file(path) as draft:
-        write(draft, obj)
+        return write(draft, obj) or ""

@@ -11,6 +11,7 @@ import FreeCAD
 from gpswb.cad.sniff import sniff
 from gpswb.errors import InputError
 from gpswb.gui import compat
+from gpswb.gui.original_file import remember_file
 
 SUFFIXES = (".step", ".stp", ".p21", ".brep", ".brp")
 
@@ -21,7 +22,7 @@ def import_part(path: Path, document: Any) -> list[Any]:
     Raises:
         InputError: the file can't be read, or holds no faces.
     """
-    form, _ = sniff(path)
+    form, sha256 = sniff(path)
     before = {obj.Name for obj in document.Objects}
     try:
         if form == "brep":
@@ -48,4 +49,7 @@ def import_part(path: Path, document: Any) -> list[Any]:
         found[0].Label = path.stem
     if not found:
         raise InputError(f"{path}: the file holds no faces")
+    if form == "step":
+        for obj in found:
+            remember_file(obj, path, sha256)
     return found

@@ -13,6 +13,7 @@ from gpswb.gui.annotation import annotation_of, remove_annotation
 from gpswb.gui.colouring import CONSTRAINT, colouring
 from gpswb.gui.datums import add_datum, datums_of, set_datums, take_suggestion
 from gpswb.gui.exports import export
+from gpswb.gui.importing import import_part
 from gpswb.gui.objects.annotation import annotations_of
 from gpswb.gui.objects.partition import (
     effective_result,
@@ -239,6 +240,75 @@ def test_export_is_that_of_annotate(part, partition, tmp_path):  # noqa: F811
     written = json.loads((tmp_path / "part.features.json").read_text(encoding="utf-8"))
     assert len(written["specified"]) == 3
     assert written["datums_given"]
+
+
+def lines_of(path):
+    return path.read_text(encoding="latin-1").splitlines()
+
+
+@pytest.fixture
+def imported(document, tmp_path):  # noqa: F811
+    """A part from a STEP file whose product has an evil name; file and partition."""
+    path = tmp_path / "part <b>.step"
+    drilled().exportStep(str(path))
+    text = path.read_text(encoding="latin-1")
+    text = text.replace("PRODUCT('", r"PRODUCT('<i>''\\ \X2\00E4\X0\ ")
+    path.write_text(text, encoding="latin-1")
+    (part_,) = import_part(path, document)
+    return path, make_partition(part_, density="coarse")
+
+
+def test_pmi_goes_on_the_text_of_the_part_s_own_file(imported, tmp_path):
+    path, partition = imported
+    source = partition.Source
+    hole = named(source, "Cylinder")
+    # The part may have been moved since: its file has not.
+    source.Placement = FreeCAD.Placement(
+        FreeCAD.Vector(5.0, -3.0, 40.0), FreeCAD.Rotation(FreeCAD.Vector(1.0, 2.0, 3.0), 70.0)
+    ).multiply(source.Placement)
+    run(partition)
+    add_specification(partition, [hole], "size", "", upper=-0.02, lower=-0.1)
+    out = tmp_path / "out.ap242.step"
+    assert export(partition, out) == f"PMI is appended to the text of {path}"
+    written = lines_of(out)
+    own = [
+        line for line in lines_of(path) if "FILE_SCHEMA" not in line and "AUTOMOTIVE" not in line
+    ]
+    assert [line for line in written if line in set(own)][: len(own)] == own
+    assert any("LENGTH_MEASURE(-0.1)" in line for line in written[len(own) - 5 :])
+
+
+@pytest.mark.parametrize(
+    ("change", "words"),
+    [
+        (lambda path, _: path.unlink(), "no such file"),
+        (lambda path, _: path.write_text(path.read_text() + " "), "has changed since"),
+        (lambda _, part_: setattr(part_, "Shape", drilled(20.01)), "the part has changed since"),
+        (lambda _, part_: setattr(part_, "StepFile", ""), "wasn't imported from a STEP file"),
+    ],
+    ids=["gone", "changed", "another shape", "no file"],
+)
+def test_without_its_file_the_part_is_written_anew_and_that_is_said(
+    imported, tmp_path, change, words
+):
+    path, partition = imported
+    change(path, partition.Source)
+    run(partition)
+    add_specification(partition, [named(partition.Source, "Cylinder")], "cylindricity", 0.02)
+    said = export(partition, tmp_path / "out.ap242.step")
+    assert "not on the original STEP text but on the part as FreeCAD writes it: " in said
+    assert words in said
+    file = read_text(tmp_path / "out.ap242.step")
+    assert len(list(file.of("CYLINDRICITY_TOLERANCE"))) == 1
+
+
+def named(part_, kind):
+    (name,) = (
+        f"Face{i + 1}"
+        for i, face in enumerate(part_.Shape.Faces)
+        if type(face.Surface).__name__ == kind
+    )
+    return name
 
 
 def test_undo_in_one_step(part, partition):  # noqa: F811

@@ -39,4 +39,6 @@ class Command(BaseCommand):
         if not path:
             return
         suffix = kinds[kind]
-        export(partition, Path(path if path.lower().endswith(suffix) else path + suffix))
+        said = export(partition, Path(path if path.lower().endswith(suffix) else path + suffix))
+        if said:
+            compat.show_note(said)
