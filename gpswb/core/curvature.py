@@ -9,33 +9,58 @@ from functools import cached_property
 import numpy as np
 from scipy.sparse import csr_matrix
 
+from gpswb.core.blocks import blocks
+from gpswb.core.facet_curvature import facet_curvature
 from gpswb.core.mesh import FloatArray, Mesh
+from gpswb.core.tangent_frames import ComplexArray, tangent_frame, turned_direction
 from gpswb.core.wedges import Wedges
 
 
 @dataclass(frozen=True, eq=False)
 class Curvature:
-    """Curvature at each wedge; outward convex is positive.
+    """Curvature at each wedge and each facet; outward convex is positive.
+
+    A tensor S with dn = S dx, 1/mm, is stored as its mean curvature H and as the complex number D
+    that says how it differs with direction: k = H +- |D|, and the direction of k_max is at half the
+    angle of D in the frame of `tangent_frame`.
 
     Args:
-        normals: (w, 3) unit normals.
-        tensor: (w, 3, 3) symmetric tensor S with dn = S dx, 1/mm, S n = 0.
-        k_max, k_min: (w,) principal curvatures, 1/mm, ``k_max >= k_min``.
-        direction: (w, 3) unit principal direction of ``k_max``.
+        normals: (w, 3) unit normals of the wedges.
+        mean: (w,) H; ``difference``: (w,) D.
+        facet_mean, facet_difference: (m,) H and |D| of each facet, 1/mm.
     """
 
     normals: FloatArray
-    tensor: FloatArray
-    k_max: FloatArray
-    k_min: FloatArray
-    direction: FloatArray
+    mean: FloatArray
+    difference: ComplexArray
+    facet_mean: FloatArray
+    facet_difference: FloatArray
 
     @cached_property
+    def k_max(self) -> FloatArray:
+        """(w,) largest principal curvature, 1/mm."""
+        k_max: FloatArray = self.mean + np.abs(self.difference)
+        return k_max
+
+    @cached_property
+    def k_min(self) -> FloatArray:
+        """(w,) least principal curvature, 1/mm."""
+        k_min: FloatArray = self.mean - np.abs(self.difference)
+        return k_min
+
+    @property
+    def direction(self) -> FloatArray:
+        """(w, 3) unit principal direction of ``k_max``."""
+        u, v = tangent_frame(self.normals)
+        angle = 0.5 * np.angle(self.difference)[:, None]
+        return np.asarray(np.cos(angle) * u + np.sin(angle) * v, dtype=np.float64)
+
+    @property
     def shape_index(self) -> FloatArray:
         """(w,) shape index in [-1, 1]."""
         return shape_index(self.k_max, self.k_min)
 
-    @cached_property
+    @property
     def curvedness(self) -> FloatArray:
         """(w,) curvedness, 1/mm."""
         return curvedness(self.k_max, self.k_min)
@@ -59,7 +84,7 @@ def curvedness(k_max: FloatArray, k_min: FloatArray) -> FloatArray:
 def estimate_curvature(
     mesh: Mesh, wedges: Wedges, normals: FloatArray, sweeps: int = 0
 ) -> Curvature:
-    """Curvature tensor of each wedge.
+    """Curvature of each wedge and facet.
 
     Each facet's tensor is the least-squares fit of dn = S dx to its three edges (Rusinkiewicz
     2004), turned into the tangent plane of each of its wedges and averaged there by corner area.
@@ -69,117 +94,71 @@ def estimate_curvature(
         wedges: which corners share a normal and a tensor.
         normals: (w, 3) unit normals of the wedges.
         sweeps: averaging sweeps over the neighbouring wedges, for noise: k sweeps average over a
-            ball of about sqrt(k) edge lengths that stops at creases.
+            ball of about sqrt(k) edge lengths that stops at creases. Facets then have the mean of
+            their corners.
     """
-    facet_tensor = facet_tensors(mesh, normals[wedges.of_corner])
-    weight = np.repeat(mesh.areas[:, None] / 3.0, 3, axis=1)
-    axis = mesh.facet_normals
-    target = normals[wedges.of_corner]
-    turned = np.stack([_turn(facet_tensor, axis, target[:, k]) for k in range(3)], axis=1)
-    total = wedges.sum_corners(weight[:, :, None, None] * turned)
-    area = wedges.sum_corners(weight[:, :, None])[:, 0]
-    tensor = np.divide(
-        total, area[:, None, None], out=np.zeros_like(total), where=area[:, None, None] > 0
-    )
-    if sweeps:
-        tensor = _diffuse(tensor, normals, wedges, area, sweeps)
-    k_max, k_min, direction = principal(tensor, normals)
-    return Curvature(normals, tensor, k_max, k_min, direction)
+    m = len(mesh.triangles)
+    columns = np.ascontiguousarray(normals.T)
+    facet_mean, facet_difference = np.empty(m), np.empty(m)
+    even_at, odd_at = np.empty((m, 3)), np.empty((m, 3))
+    for part in blocks(m):
+        corner = mesh.columns.take(mesh.triangles[part].T, axis=1)
+        normal = np.ascontiguousarray(mesh.facet_normals[part].T)
+        target = columns.take(wedges.of_corner[part].T, axis=1)
+        side, mean, even, odd = facet_curvature(corner, target, normal)
+        facet_mean[part], facet_difference[part] = mean, np.hypot(even, odd)
+        cos, sin = turned_direction(side[:, None], normal[:, None], target)
+        # A tensor turns by twice the angle.
+        cos, sin = cos * cos - sin * sin, 2.0 * cos * sin
+        even_at[part] = (mesh.areas[part] * (even * cos - odd * sin)).T
+        odd_at[part] = (mesh.areas[part] * (even * sin + odd * cos)).T
+    share = np.empty((m, 3))
+    share[:] = mesh.areas[:, None]
+    area = wedges.sum_corners(share)
+    share *= facet_mean[:, None]
+    divisor = np.where(area > 0.0, area, np.inf)
+    mean = wedges.sum_corners(share) / divisor
+    difference = np.empty(wedges.count, dtype=np.complex128)
+    difference.real = wedges.sum_corners(even_at) / divisor
+    difference.imag = wedges.sum_corners(odd_at) / divisor
+    found = Curvature(normals, mean, difference, facet_mean, facet_difference)
+    return _averaged(found, mesh, wedges, area, sweeps) if sweeps else found
 
 
-def facet_tensors(mesh: Mesh, corner_normals: FloatArray) -> FloatArray:
-    """Tensor of each facet from the normals at its corners.
-
-    Args:
-        mesh: the mesh.
-        corner_normals: (m, 3, 3) unit normals.
-
-    Returns:
-        (m, 3, 3) symmetric tensors in the facet's plane, 1/mm; zero for a degenerate facet.
-    """
-    u, v = tangent_frame(mesh.facet_normals)
-    frame = np.stack([u, v], axis=1)
-    edges = np.roll(mesh.corners, -1, axis=1) - mesh.corners
-    change = np.roll(corner_normals, -1, axis=1) - corner_normals
-    x = np.einsum("fak,fik->fia", frame, edges)
-    y = np.einsum("fak,fik->fia", frame, change)
-    xx, xy, yy = ((x[:, :, a] * x[:, :, b]).sum(axis=1) for a, b in ((0, 0), (0, 1), (1, 1)))
-    r0 = (x[:, :, 0] * y[:, :, 0]).sum(axis=1)
-    r1 = (x[:, :, 1] * y[:, :, 0] + x[:, :, 0] * y[:, :, 1]).sum(axis=1)
-    r2 = (x[:, :, 1] * y[:, :, 1]).sum(axis=1)
-    # Normal equations [[xx, xy, 0], [xy, xx+yy, xy], [0, xy, yy]] (e, f, g) = (r0, r1, r2):
-    # their determinant is (xx + yy) (xx yy - xy^2), so the closed form needs one inverse.
-    trace, det2 = xx + yy, xx * yy - xy * xy
-    det = trace * det2
-    usable = det2 > 1e-20 * trace * trace
-    inverse = np.divide(1.0, det, out=np.zeros_like(det), where=usable)
-    e = ((trace * yy - xy * xy) * r0 - xy * yy * r1 + xy * xy * r2) * inverse
-    f = (-xy * yy * r0 + xx * yy * r1 - xx * xy * r2) * inverse
-    g = (xy * xy * r0 - xx * xy * r1 + (trace * xx - xy * xy) * r2) * inverse
-    local = np.stack([np.stack([e, f], axis=1), np.stack([f, g], axis=1)], axis=1)
-    tensor: FloatArray = np.einsum("fai,fab,fbj->fij", frame, local, frame, optimize=True)
-    return tensor
-
-
-def principal(tensor: FloatArray, normals: FloatArray) -> tuple[FloatArray, FloatArray, FloatArray]:
-    """Closed-form eigenvalues of tangent tensors: k_max (n,), k_min (n,), direction of k_max (n,
-    3)."""
-    u, v = tangent_frame(normals)
-    su, sv = np.einsum("nij,nj->ni", tensor, u), np.einsum("nij,nj->ni", tensor, v)
-    a = np.einsum("ni,ni->n", u, su)
-    b = np.einsum("ni,ni->n", v, su)
-    d = np.einsum("ni,ni->n", v, sv)
-    mean, half = 0.5 * (a + d), 0.5 * (a - d)
-    radius = np.hypot(half, b)
-    angle = 0.5 * np.arctan2(b, half)
-    direction = np.cos(angle)[:, None] * u + np.sin(angle)[:, None] * v
-    return mean + radius, mean - radius, direction
-
-
-def tangent_frame(normals: FloatArray) -> tuple[FloatArray, FloatArray]:
-    """Two unit vectors (n, 3) that complete each unit normal to a right-handed frame.
-
-    Branch on the sign of n_z only (Duff et al. 2017): no normal is near a singularity.
-    """
-    x, y, z = normals.T
-    sign = np.where(z >= 0.0, 1.0, -1.0)
-    a = -1.0 / (sign + z)
-    b = x * y * a
-    u = np.stack([1.0 + sign * x * x * a, sign * b, -sign * x], axis=1)
-    v = np.stack([b, sign + y * y * a, -y], axis=1)
-    return u, v
-
-
-def _turn(tensor: FloatArray, start: FloatArray, end: FloatArray) -> FloatArray:
-    """Turn tangent tensors by the least rotation that takes unit normals ``start`` to ``end``."""
-    rotation = _rotations(start, end)
-    turned: FloatArray = rotation @ tensor @ np.swapaxes(rotation, 1, 2)
-    return turned
-
-
-def _rotations(start: FloatArray, end: FloatArray) -> FloatArray:
-    """(n, 3, 3) R x = x - (end.x) (start + end) / (1 + start.end), for x perpendicular to start."""
-    cosine = np.einsum("ni,ni->n", start, end)
-    scale = np.divide(1.0, 1.0 + cosine, out=np.zeros_like(cosine), where=cosine > -0.99)
-    total = start + end
-    rotation: FloatArray = np.eye(3) - scale[:, None, None] * total[:, :, None] * end[:, None, :]
-    return rotation
-
-
-def _diffuse(
-    tensor: FloatArray, normals: FloatArray, wedges: Wedges, area: FloatArray, sweeps: int
-) -> FloatArray:
+def _averaged(
+    curvature: Curvature, mesh: Mesh, wedges: Wedges, area: FloatArray, sweeps: int
+) -> Curvature:
     """Average tensors over neighbouring wedges, by area, each turned into the wedge's own plane."""
-    corner = wedges.of_corner
-    row = np.concatenate([corner[:, [0, 1, 2]].ravel(), np.arange(wedges.count)])
-    col = np.concatenate([corner[:, [1, 2, 0]].ravel(), np.arange(wedges.count)])
-    graph = csr_matrix((np.ones(len(row)), (row, col)), shape=(wedges.count, wedges.count))
+    w = wedges.count
+    corner, own = wedges.of_corner, np.arange(w)
+    row, col = (
+        np.concatenate([corner.ravel(), own]),
+        np.concatenate([corner[:, [1, 2, 0]].ravel(), own]),
+    )
+    graph = csr_matrix((np.ones(len(row)), (row, col)), shape=(w, w))
     graph = (graph + graph.T).tocsr()
-    col = graph.indices
-    row = np.repeat(np.arange(wedges.count), np.diff(graph.indptr))
-    rotation = _rotations(normals[col], normals[row])
-    weight = area[col] / np.maximum(np.add.reduceat(area[col], graph.indptr[:-1])[row], 1e-300)
+    graph.data = area[graph.indices]
+    row = np.repeat(own, np.diff(graph.indptr))
+    graph.data /= np.maximum(np.bincount(row, graph.data, w), 1e-300)[row]
+    start, end = curvature.normals[graph.indices].T, curvature.normals[row].T
+    first = tangent_frame(curvature.normals)[0][graph.indices].T
+    cos, sin = turned_direction(first, start, end)
+    turning = graph.astype(np.complex128)
+    turning.data *= (cos + 1j * sin) ** 2
+    mean, difference = curvature.mean, curvature.difference
     for _ in range(sweeps):
-        turned = rotation @ tensor[col] @ np.swapaxes(rotation, 1, 2)
-        tensor = np.add.reduceat(weight[:, None, None] * turned, graph.indptr[:-1], axis=0)
-    return tensor
+        mean, difference = graph @ mean, turning @ difference
+    normal = mesh.facet_normals
+    at = [
+        difference[corner[:, k]] * _turn(curvature.normals[corner[:, k]], normal) for k in range(3)
+    ]
+    return Curvature(
+        curvature.normals, mean, difference, mean[corner].mean(axis=1), np.abs(sum(at)) / 3.0
+    )
+
+
+def _turn(start: FloatArray, end: FloatArray) -> ComplexArray:
+    """(n,) factor that takes the difference of a tensor from one frame (n, 3) to another."""
+    cos, sin = turned_direction(tangent_frame(start)[0].T, start.T, end.T)
+    factor: ComplexArray = (cos + 1j * sin) ** 2
+    return factor

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""The interior edges of each facet."""
+"""What lies at each half-edge (see `half_edges`): its interior edge, and the half-edge across."""
 
 from __future__ import annotations
 
@@ -8,22 +8,17 @@ import numpy as np
 from gpswb.core.mesh import IntArray, Mesh
 
 
-def facet_edges(mesh: Mesh) -> tuple[IntArray, IntArray]:
-    """Interior edges of each facet and the facets beyond them, in no particular order.
+def edges_of_sides(mesh: Mesh) -> IntArray:
+    """(3 m,) row of ``mesh.facet_pairs`` of each half-edge; -1 where it is no interior edge."""
+    edge_of = np.full(3 * len(mesh.triangles), -1, dtype=np.int64)
+    for half in mesh.half_edge_pairs.T:
+        edge_of[half] = np.arange(len(half))
+    return edge_of
 
-    Returns:
-        edge_of (m, 3), rows of ``mesh.facet_pairs``, and beyond (m, 3), facets; -1 where a facet
-        has fewer than three interior edges.
-    """
-    m, e = len(mesh.triangles), len(mesh.facet_pairs)
-    facet = mesh.facet_pairs.T.ravel()
-    other = mesh.facet_pairs[:, ::-1].T.ravel()
-    row = np.tile(np.arange(e, dtype=np.int64), 2)
-    order = np.argsort(facet, kind="stable")
-    counts = np.bincount(facet, minlength=m)
-    slot = np.arange(2 * e) - np.repeat(np.cumsum(counts) - counts, counts)
-    edge_of = np.full((m, 3), -1, dtype=np.int64)
-    beyond = np.full((m, 3), -1, dtype=np.int64)
-    edge_of[facet[order], slot] = row[order]
-    beyond[facet[order], slot] = other[order]
-    return edge_of, beyond
+
+def sides_across(mesh: Mesh) -> IntArray:
+    """(3 m,) half-edge of the neighbouring facet on the same edge; -1 where there is none."""
+    across = np.full(3 * len(mesh.triangles), -1, dtype=np.int64)
+    first, second = mesh.half_edge_pairs.T
+    across[first], across[second] = second, first
+    return across

@@ -31,8 +31,16 @@ def grow_regions(labels: IntArray, pairs: IntArray) -> tuple[IntArray, int]:
 
 
 def number_by_first(label: IntArray) -> tuple[IntArray, int]:
-    """Renumber labels 0, 1, ... in the order of first appearance; also their number."""
-    _, first, inverse = np.unique(label, return_index=True, return_inverse=True)
-    rank = np.empty(len(first), dtype=np.int64)
-    rank[np.argsort(first, kind="stable")] = np.arange(len(first))
-    return rank[inverse.ravel()], len(first)
+    """Renumber labels 0, 1, ... in the order of first appearance; also their number.
+
+    Args:
+        label: (n,) int, at least 0 and not much larger than n.
+    """
+    seen = np.full(int(label.max(initial=-1)) + 1, -1, dtype=np.int64)
+    # Written from the last to the first: what stays is the first.
+    seen[label[::-1]] = np.arange(len(label))[::-1]
+    order = np.argsort(seen, kind="stable")
+    order = order[int((seen < 0).sum()) :]
+    rank = np.empty(len(seen), dtype=np.int64)
+    rank[order] = np.arange(len(order))
+    return rank[label], len(order)

@@ -7,14 +7,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from gpswb.core.curvature import (
-    Curvature,
-    curvedness,
-    estimate_curvature,
-    facet_tensors,
-    principal,
-    shape_index,
-)
+from gpswb.core.blocks import blocks
+from gpswb.core.curvature import Curvature, curvedness, estimate_curvature, shape_index
+from gpswb.core.facet_geometry import dot
 from gpswb.core.growing import grow_regions
 from gpswb.core.mesh import BoolArray, FloatArray, IntArray, Mesh
 from gpswb.core.normals import wedge_normals
@@ -73,7 +68,7 @@ def initial_partition(
         normals = wedge_normals(mesh, wedges)
         curvature = estimate_curvature(mesh, wedges, normals, sweeps=noise_sweeps(mesh, sigma))
     with clock.stage("initial"):
-        types = _facet_types(mesh, wedges, curvature, sigma, tolerances)
+        types = _facet_types(mesh, curvature, sigma, tolerances)
         smooth = mesh.facet_pairs[~crease]
         types, _ = vote(types, smooth, max_sweeps=tolerances.vote_sweeps)
         region, count = number_facet_regions(grow_regions(types, smooth)[0], mesh)
@@ -102,7 +97,7 @@ def unvoted_types(mesh: Mesh, sigma: float, tolerances: Tolerances | None = None
     wedges = find_wedges(mesh, feature_edges(mesh, tolerances))
     normals = wedge_normals(mesh, wedges)
     curvature = estimate_curvature(mesh, wedges, normals, sweeps=noise_sweeps(mesh, sigma))
-    return _facet_types(mesh, wedges, curvature, sigma, tolerances)
+    return _facet_types(mesh, curvature, sigma, tolerances)
 
 
 def noise_sweeps(mesh: Mesh, sigma: float) -> int:
@@ -120,18 +115,20 @@ def noise_sweeps(mesh: Mesh, sigma: float) -> int:
 
 
 def _facet_types(
-    mesh: Mesh, wedges: Wedges, curvature: Curvature, sigma: float, tolerances: Tolerances
+    mesh: Mesh, curvature: Curvature, sigma: float, tolerances: Tolerances
 ) -> IntArray:
-    """Shape type of each facet: from its own corner normals, or from the averages under noise."""
-    if noise_sweeps(mesh, sigma):
-        tensor = curvature.tensor[wedges.of_corner].mean(axis=1)
-    else:
-        tensor = facet_tensors(mesh, curvature.normals[wedges.of_corner])
-    k_max, k_min, _ = principal(tensor, mesh.facet_normals)
-    edges = np.linalg.norm(np.roll(mesh.corners, -1, axis=1) - mesh.corners, axis=2)
+    """Shape type of each facet."""
     limit = max(tolerances.sagitta * mesh.diagonal, 3.0 * sigma)
-    plane = plane_by_sagitta(curvedness(k_max, k_min), edges.max(axis=1), limit)
-    return shape_types(shape_index(k_max, k_min), plane)
+    types = np.empty(len(mesh.triangles), dtype=np.int64)
+    for part in blocks(len(types)):
+        corner = mesh.columns.take(mesh.triangles[part].T, axis=1)
+        side = corner[:, [1, 2, 0]] - corner
+        longest = np.sqrt(dot(side, side).max(axis=0))
+        mean, difference = curvature.facet_mean[part], curvature.facet_difference[part]
+        k_max, k_min = mean + difference, mean - difference
+        plane = plane_by_sagitta(curvedness(k_max, k_min), longest, limit)
+        types[part] = shape_types(shape_index(k_max, k_min), plane)
+    return types
 
 
 def _strongest(mesh: Mesh, wedges: Wedges, curvature: Curvature) -> tuple[FloatArray, FloatArray]:

@@ -9,6 +9,9 @@ from functools import cached_property
 import numpy as np
 import numpy.typing as npt
 
+from gpswb.core.facet_geometry import areas_and_normals, centroids, turning_angles
+from gpswb.core.half_edges import next_in_facet, paired_half_edges
+
 FloatArray = npt.NDArray[np.float64]
 IntArray = npt.NDArray[np.int64]
 BoolArray = npt.NDArray[np.bool_]
@@ -54,36 +57,37 @@ class Mesh:
         object.__setattr__(self, "triangles", triangles)
 
     @cached_property
+    def columns(self) -> FloatArray:
+        """(3, n) coordinates of the vertices, axis by axis: gathered and computed with faster."""
+        return np.ascontiguousarray(self.vertices.T)
+
+    @cached_property
     def corners(self) -> FloatArray:
         """(m, 3, 3) coordinates of each facet's corners, mm."""
         return self.vertices[self.triangles]
 
-    @cached_property
-    def _cross(self) -> FloatArray:
-        c = self.corners
-        cross = np.cross(c[:, 1] - c[:, 0], c[:, 2] - c[:, 0])
-        return np.asarray(cross, dtype=np.float64)
+    def corners_of(self, facets: IntArray) -> FloatArray:
+        """(k, 3, 3) coordinates of the corners of some facets, mm."""
+        return self.vertices[self.triangles[facets]]
 
     @cached_property
+    def _areas_and_normals(self) -> tuple[FloatArray, FloatArray]:
+        return areas_and_normals(self.columns, self.triangles)
+
+    @property
     def areas(self) -> FloatArray:
         """(m,) facet areas, mm²."""
-        area: FloatArray = 0.5 * np.linalg.norm(self._cross, axis=1)
-        return area
+        return self._areas_and_normals[0]
 
-    @cached_property
+    @property
     def facet_normals(self) -> FloatArray:
         """(m, 3) unit facet normals; zero for a degenerate facet."""
-        length = 2.0 * self.areas[:, None]
-        normals: FloatArray = np.divide(
-            self._cross, length, out=np.zeros(self._cross.shape), where=length > 0
-        )
-        return normals
+        return self._areas_and_normals[1]
 
     @cached_property
     def centroids(self) -> FloatArray:
         """(m, 3) facet centroids, mm."""
-        centroids: FloatArray = self.corners.mean(axis=1)
-        return centroids
+        return centroids(self.columns, self.triangles)
 
     @cached_property
     def diagonal(self) -> float:
@@ -93,27 +97,25 @@ class Mesh:
         return float(np.linalg.norm(np.ptp(self.vertices, axis=0)))
 
     @cached_property
+    def half_edge_pairs(self) -> IntArray:
+        """(e, 2) half-edges of each manifold interior edge, see `paired_half_edges`."""
+        return paired_half_edges(self.triangles, len(self.vertices))
+
+    @cached_property
     def facet_pairs(self) -> IntArray:
         """(e, 2) facets that share a manifold interior edge, first < second."""
-        return self._edge_tables[0]
+        pairs: IntArray = self.half_edge_pairs // 3
+        return pairs
 
     @cached_property
     def pair_edges(self) -> IntArray:
-        """(e, 2) vertices of the edge shared by each row of ``facet_pairs``."""
-        return self._edge_tables[1]
+        """(e, 2) vertices of the edge shared by each row of ``facet_pairs``, lower first."""
+        half = self.half_edge_pairs[:, 0]
+        start, end = self.triangles.ravel()[half], self.triangles.ravel()[next_in_facet(half)]
+        return np.column_stack([np.minimum(start, end), np.maximum(start, end)])
 
     @cached_property
-    def _edge_tables(self) -> tuple[IntArray, IntArray]:
-        m = len(self.triangles)
-        ends = self.triangles[:, [[0, 1], [1, 2], [2, 0]]].reshape(-1, 2)
-        ends = np.sort(ends, axis=1)
-        key = ends[:, 0] * np.int64(max(len(self.vertices), 1)) + ends[:, 1]
-        order = np.argsort(key, kind="stable")
-        sorted_key = key[order]
-        start = np.flatnonzero(np.r_[True, sorted_key[1:] != sorted_key[:-1]])
-        count = np.diff(np.r_[start, len(sorted_key)])
-        # An edge of three or more facets has no single neighbour across it: it is left as a border.
-        first = start[count == 2]
-        facet = np.repeat(np.arange(m, dtype=np.int64), 3)
-        pairs = np.sort(np.column_stack([facet[order[first]], facet[order[first + 1]]]), axis=1)
-        return pairs, ends[order[first]]
+    def turning(self) -> FloatArray:
+        """(e,) angle in [0, pi], rad, between the normals of the two facets at each row of
+        ``facet_pairs``; 0 beside a degenerate facet."""
+        return turning_angles(self.facet_normals, self.facet_pairs)

@@ -5,6 +5,8 @@ from __future__ import annotations
 
 import numpy as np
 
+from gpswb.core.blocks import blocks
+from gpswb.core.facet_geometry import dot
 from gpswb.core.mesh import FloatArray, Mesh
 from gpswb.core.wedges import Wedges
 
@@ -23,15 +25,25 @@ def wedge_normals(mesh: Mesh, wedges: Wedges) -> FloatArray:
     Returns:
         (w, 3) float64 unit vectors; zero for a wedge of degenerate facets only.
     """
-    corners = mesh.corners
-    toward_next = np.roll(corners, -1, axis=1) - corners
-    toward_previous = np.roll(corners, 1, axis=1) - corners
-    squared = np.einsum("fij,fij->fi", toward_next, toward_next) * np.einsum(
-        "fij,fij->fi", toward_previous, toward_previous
-    )
-    twice_area = 2.0 * mesh.areas[:, None]
-    weight = np.divide(twice_area, squared, out=np.zeros_like(squared), where=squared > 0)
-    total = wedges.sum_corners(weight[:, :, None] * mesh.facet_normals[:, None, :])
-    length = np.linalg.norm(total, axis=1, keepdims=True)
-    normals: FloatArray = np.divide(total, length, out=np.zeros_like(total), where=length > 0)
+    weight = _max_weights(mesh)
+    normals = np.empty((wedges.count, 3))
+    for axis in range(3):
+        normals[:, axis] = wedges.sum_corners(weight * mesh.facet_normals[:, axis, None])
+    length = np.sqrt(dot(normals.T, normals.T))
+    length[length == 0.0] = np.inf
+    normals /= length[:, None]
     return normals
+
+
+def _max_weights(mesh: Mesh) -> FloatArray:
+    """(m, 3) sin(angle) / (|a| |b|) = 2 area / (|a|^2 |b|^2) at each corner, 0 without area."""
+    weight = np.empty((len(mesh.triangles), 3))
+    for part in blocks(len(weight)):
+        corner = mesh.columns.take(mesh.triangles[part].T, axis=1)
+        side = corner[:, [1, 2, 0]] - corner
+        squared = dot(side, side)
+        # Corner k lies between the side that begins there and the one before.
+        product = squared * squared[[2, 0, 1]]
+        product[product == 0.0] = np.inf
+        weight[part] = (2.0 * mesh.areas[part] / product).T
+    return weight

@@ -9,7 +9,6 @@ from scipy.sparse.csgraph import dijkstra
 
 from gpswb.core.growing import grow_regions, number_by_first
 from gpswb.core.mesh import BoolArray, FloatArray, IntArray, Mesh
-from gpswb.core.sharp_edges import turning_angles
 
 
 def facets_from_vertices(labels: IntArray, triangles: IntArray, yields: BoolArray) -> IntArray:
@@ -51,15 +50,22 @@ def vertices_from_facets(
     if not len(labels):
         return np.zeros(n, dtype=np.int64)
     weight = mesh.areas if weights is None else weights
-    vertex = mesh.triangles.ravel()
     low = int(labels.min())
+    result = np.full(n, low, dtype=np.int64)
+    for k in range(3):
+        result[mesh.triangles[:, k]] = labels
+    # Most vertices have one label only; the areas of the others' labels are added up.
+    corner = result[mesh.triangles]
+    mixed = np.zeros(n, dtype=bool)
+    mixed[mesh.triangles[corner != labels[:, None]]] = True
+    facet, side = np.nonzero(mixed[mesh.triangles])
+    vertex = mesh.triangles[facet, side]
     span = int(labels.max()) - low + 1
-    key, inverse = np.unique(vertex * span + np.repeat(labels - low, 3), return_inverse=True)
-    total = np.bincount(inverse.ravel(), weights=np.repeat(weight, 3))
+    key, inverse = np.unique(vertex * span + labels[facet] - low, return_inverse=True)
+    total = np.bincount(inverse.ravel(), weights=weight[facet])
     # Sorted by vertex, then by weight: the last entry of each vertex wins, the smaller label on a
     # tie.
     order = np.lexsort((-(key % span), total, key // span))
-    result = np.full(n, low, dtype=np.int64)
     result[key[order] // span] = key[order] % span + low
     return result
 
@@ -77,7 +83,7 @@ def fill_facets(label: IntArray, mesh: Mesh) -> IntArray:
     seeds = np.flatnonzero(label >= 0)
     if 0 < len(seeds) < len(label):
         # A step costs little beside a turn, so that labels run along surfaces first.
-        cost = 1e-3 + turning_angles(mesh)
+        cost = 1e-3 + mesh.turning
         row, col = mesh.facet_pairs.T
         graph = coo_matrix((cost, (row, col)), shape=(len(label), len(label))).tocsr()
         _, _, source = dijkstra(

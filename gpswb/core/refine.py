@@ -12,7 +12,6 @@ from gpswb.core.merging import merge_regions
 from gpswb.core.mesh import BoolArray, FloatArray, IntArray, Mesh
 from gpswb.core.quadric_moments import quadric_moments
 from gpswb.core.region_samples import confined_normals
-from gpswb.core.sharp_edges import turning_angles
 from gpswb.core.slippage import facet_samples, slippage_moments
 from gpswb.core.slippage_rule import MergeLimits, MergeState, SlippageRule
 from gpswb.core.tolerances import Tolerances
@@ -95,7 +94,7 @@ def _state(mesh: Mesh, label: IntArray, count: int, corner_normals: FloatArray) 
     facets = np.bincount(label[label >= 0], minlength=count)
     first, second = label[mesh.facet_pairs].T
     inside = (first == second) & (first >= 0)
-    squared = turning_angles(mesh)[inside] ** 2
+    squared = mesh.turning[inside] ** 2
     turning = np.stack(
         [
             np.bincount(first[inside], weights=squared, minlength=count),

@@ -8,13 +8,14 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from gpswb.core.facet_edges import facet_edges
+from gpswb.core.blocks import blocks
+from gpswb.core.facet_edges import edges_of_sides
+from gpswb.core.facet_geometry import dot
 from gpswb.core.mesh import BoolArray, FloatArray, IntArray, Mesh
 from gpswb.core.normals import wedge_normals
-from gpswb.core.sharp_edges import turning_angles
 from gpswb.core.wedges import find_wedges
 
-_SINGULAR = 1.5  # turns of the facet's edges that a normal may be off before it is not believed
+_SINGULAR = 1.5  # turns to a neighbour that a normal may be off before it is not believed
 _ROUNDING = 0.02  # rad, for facets that turn by nothing
 
 
@@ -47,30 +48,39 @@ class RegionSample:
 def confined_normals(mesh: Mesh, region: IntArray, crease: BoolArray) -> FloatArray:
     """Corner normals (m, 3, 3) averaged neither across creases nor across region borders.
 
+    Where a vertex has no normal, at the apex of a cone, say, its corners have their facets' own.
+
     Args:
         mesh: the mesh.
         region: (m,) int region of each facet.
         crease: (e,) bool feature edges, aligned with ``mesh.facet_pairs``.
     """
-    border = region[mesh.facet_pairs[:, 0]] != region[mesh.facet_pairs[:, 1]]
-    wedges = find_wedges(mesh, crease | border)
-    normals = wedge_normals(mesh, wedges)[wedges.of_corner]
-    return _without_apexes(mesh, normals, crease | border)
+    first, second = region[mesh.facet_pairs.T]
+    barrier = crease | (first != second)
+    wedges = find_wedges(mesh, barrier)
+    normals = wedge_normals(mesh, wedges)
+    turning = _largest_turning(mesh, barrier)
+    confined = np.empty((len(region), 3, 3))
+    for part in blocks(len(region)):
+        corner = normals.take(wedges.of_corner[part], axis=0)
+        facet = mesh.facet_normals[part, None]
+        # At an apex the mean of all sides points along the axis, far off each of them.
+        cosine = dot(np.moveaxis(corner, 2, 0), np.moveaxis(facet, 2, 0))
+        limit = np.minimum(_SINGULAR * turning[part] + _ROUNDING, np.pi)
+        singular = cosine < np.cos(limit)[:, None]
+        confined[part] = np.where(singular[:, :, None], facet, corner)
+    return confined
 
 
-def _without_apexes(mesh: Mesh, normals: FloatArray, crease: BoolArray) -> FloatArray:
-    """Facet normals where a vertex has none: at the apex of a cone, say.
+def _largest_turning(mesh: Mesh, barrier: BoolArray) -> FloatArray:
+    """(m,) largest angle by which a facet turns to a neighbour, barriers apart, rad.
 
-    On a smooth surface a vertex normal is off its facet's by less than the facet's edges turn. At
-    an apex the mean of all sides points along the axis, far off each of them.
+    On a smooth surface a vertex normal is off its facet's by less than that.
     """
-    angle = np.where(crease, 0.0, turning_angles(mesh))
-    edge_of, _ = facet_edges(mesh)
-    turning = np.where(edge_of >= 0, np.append(angle, 0.0)[edge_of], 0.0).max(axis=1)
-    sine = np.linalg.norm(np.cross(normals, mesh.facet_normals[:, None]), axis=2)
-    cosine = np.einsum("fki,fi->fk", normals, mesh.facet_normals)
-    singular = np.arctan2(sine, cosine) > _SINGULAR * turning[:, None] + _ROUNDING
-    return np.where(singular[:, :, None], mesh.facet_normals[:, None], normals)
+    angle = np.append(np.where(barrier, 0.0, mesh.turning), 0.0)
+    # Half-edges without an edge have -1, which reads the 0 at the end.
+    largest: FloatArray = angle[edges_of_sides(mesh)].reshape(-1, 3).max(axis=1)
+    return largest
 
 
 def region_samples(
@@ -114,7 +124,7 @@ def _interior_turning(mesh: Mesh, region: IntArray, count: int) -> tuple[FloatAr
     first, second = region[mesh.facet_pairs].T
     inside = (first == second) & (first >= 0)
     label = first[inside]
-    angle = turning_angles(mesh)[inside]
+    angle = mesh.turning[inside]
     ends = mesh.vertices[mesh.pair_edges[inside]]
     squared = ((ends[:, 1] - ends[:, 0]) ** 2).sum(axis=1)
     number = np.maximum(np.bincount(label, minlength=count), 1)

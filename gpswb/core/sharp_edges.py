@@ -5,7 +5,10 @@ from __future__ import annotations
 
 import numpy as np
 
-from gpswb.core.facet_edges import facet_edges
+from gpswb.core.blocks import blocks
+from gpswb.core.facet_edges import edges_of_sides, sides_across
+from gpswb.core.facet_geometry import dot
+from gpswb.core.half_edges import next_in_facet
 from gpswb.core.mesh import BoolArray, FloatArray, IntArray, Mesh
 from gpswb.core.tolerances import Tolerances
 
@@ -30,22 +33,6 @@ def sharp_vertices_by_curvedness(curvedness: FloatArray, coefficient: float = 1.
     return sharp
 
 
-def turning_angles(mesh: Mesh) -> FloatArray:
-    """Angle between the normals of the two facets at each interior edge.
-
-    Returns:
-        (e,) float64 in [0, pi], rad, aligned with ``mesh.facet_pairs``; 0 beside a degenerate
-        facet.
-    """
-    first = mesh.facet_normals[mesh.facet_pairs[:, 0]]
-    second = mesh.facet_normals[mesh.facet_pairs[:, 1]]
-    sine = np.linalg.norm(np.cross(first, second), axis=1)
-    angle: FloatArray = np.arctan2(sine, np.einsum("ij,ij->i", first, second))
-    degenerate = (mesh.areas[mesh.facet_pairs] <= 0.0).any(axis=1)
-    angle[degenerate] = 0.0
-    return angle
-
-
 def feature_edges(mesh: Mesh, tolerances: Tolerances | None = None) -> BoolArray:
     """Edges that turn further than the smooth surface beside them (design, section 5).
 
@@ -62,32 +49,68 @@ def feature_edges(mesh: Mesh, tolerances: Tolerances | None = None) -> BoolArray
         (e,) bool aligned with ``mesh.facet_pairs``.
     """
     tol = tolerances or Tolerances()
-    angle = turning_angles(mesh)
+    angle = mesh.turning
     sharp: BoolArray = angle > tol.always_sharp
     doubtful = np.flatnonzero((angle > tol.never_sharp) & ~sharp)
     if not len(doubtful):
         return sharp
-    height = _heights(mesh)
-    rate = np.where(sharp, 0.0, angle / np.maximum(height.min(axis=1), 1e-300))
-    edge_of, beyond = facet_edges(mesh)
-    expected = np.zeros(len(doubtful))
-    nearby = np.full((len(doubtful), 18), np.nan)
-    for side in (0, 1):
-        facet = mesh.facet_pairs[doubtful, side]
-        around = beyond[facet]  # (d, 3) facets across each edge of the facet; -1 at a border
-        candidates = edge_of[around].reshape(len(doubtful), 9)
-        candidates[np.repeat(around < 0, 3, axis=1)] = -1
-        # The facet beyond the edge itself lies on the other side.
-        opposite = mesh.facet_pairs[doubtful, 1 - side]
-        candidates[np.repeat(around == opposite[:, None], 3, axis=1)] = -1
-        expected += 0.5 * height[doubtful, side] * _largest_apart(mesh, rate, doubtful, candidates)
-        usable = (candidates >= 0) & (candidates != doubtful[:, None])
-        nearby[:, 9 * side : 9 * side + 9] = np.where(usable, angle[candidates], np.nan)
-    # Most edges around a crease are none: their median is how rough the surface is.
-    rough = np.nan_to_num(_row_medians(nearby))
-    threshold = tol.sharp_factor * (expected + rough) + tol.never_sharp
-    sharp[doubtful] = angle[doubtful] > threshold
+    rate = np.where(sharp, 0.0, angle) * _lengths(mesh)
+    rate /= np.maximum(2.0 * mesh.areas[mesh.facet_pairs].min(axis=1), 1e-300)
+    edge_of, across = edges_of_sides(mesh), sides_across(mesh)
+    for part in blocks(len(doubtful)):
+        edges = doubtful[part]
+        expected = _expected_turning(mesh, edges, angle, rate, edge_of, across)
+        sharp[edges] = angle[edges] > tol.sharp_factor * expected + tol.never_sharp
     return sharp
+
+
+def _expected_turning(
+    mesh: Mesh,
+    edges: IntArray,
+    angle: FloatArray,
+    rate: FloatArray,
+    edge_of: IntArray,
+    across: IntArray,
+) -> FloatArray:
+    """(d,) rad by which a smooth surface would turn at some edges.
+
+    Args:
+        mesh: the mesh.
+        edges: (d,) the edges.
+        angle: (e,) turning angle of every edge; ``rate`` (e,) over the lesser height beside it,
+            1/mm, 0 where the edge is sharp whatever surrounds it.
+        edge_of, across: (3 m,) see `edges_of_sides` and `sides_across`.
+    """
+    vertex = mesh.triangles.ravel()
+    ends = mesh.pair_edges[edges].T
+    length = _lengths(mesh, edges)
+    expected = np.zeros(len(edges))
+    nearby = np.full((12, len(edges)), np.nan)
+    column = 0
+    for side in (0, 1):
+        half = mesh.half_edge_pairs[edges, side]
+        opposite = mesh.facet_pairs[edges, 1 - side]
+        after = next_in_facet(half)
+        largest = np.zeros(len(edges))
+        # The other two sides of the facet, each with the edge's end that it begins or ends at.
+        for own, shared in ((after, vertex[after]), (next_in_facet(after), vertex[half])):
+            beyond = across[own]
+            there = (beyond >= 0) & (beyond // 3 != opposite)
+            following = next_in_facet(beyond)
+            last = next_in_facet(following)
+            for candidate in (edge_of[own], edge_of[following], edge_of[last]):
+                usable = there & (candidate >= 0) & (candidate != edges)
+                nearby[column] = np.where(usable, angle[candidate], np.nan)
+                column += 1
+            # Of the facet beyond, one edge shares no vertex with the edge, as a rule.
+            far = edge_of[np.where(vertex[beyond] == shared, following, last)]
+            apex = vertex[last]
+            usable = there & (far >= 0) & (apex != ends[0]) & (apex != ends[1])
+            np.maximum(largest, np.where(usable, rate[far], 0.0), out=largest)
+        height = 2.0 * mesh.areas[half // 3] / np.maximum(length, 1e-300)
+        expected += 0.5 * height * largest
+    # Most edges around a crease are none: their median is how rough the surface is.
+    return expected + np.nan_to_num(_row_medians(nearby.T))
 
 
 def _row_medians(values: FloatArray) -> FloatArray:
@@ -98,20 +121,12 @@ def _row_medians(values: FloatArray) -> FloatArray:
     return median
 
 
-def _largest_apart(
-    mesh: Mesh, rate: FloatArray, edge: IntArray, candidates: IntArray
-) -> FloatArray:
-    """Largest rate among candidate edges that share no vertex with the edge; 0 if there is none."""
-    ends = mesh.pair_edges
-    touching = (ends[candidates][:, :, :, None] == ends[edge][:, None, None, :]).any(axis=(2, 3))
-    value = np.where(touching | (candidates < 0), 0.0, rate[candidates])
-    largest: FloatArray = value.max(axis=1)
-    return largest
-
-
-def _heights(mesh: Mesh) -> FloatArray:
-    """(e, 2) height of each of an edge's facets over the edge, mm."""
-    ends = mesh.vertices[mesh.pair_edges]
-    length = np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1)
-    height: FloatArray = 2.0 * mesh.areas[mesh.facet_pairs] / np.maximum(length, 1e-300)[:, None]
-    return height
+def _lengths(mesh: Mesh, edges: IntArray | None = None) -> FloatArray:
+    """(e,) lengths of all interior edges, or of some, mm."""
+    ends = mesh.pair_edges if edges is None else mesh.pair_edges[edges]
+    lengths = np.empty(len(ends))
+    for part in blocks(len(ends)):
+        end = mesh.columns.take(ends[part].T, axis=1)
+        side = end[:, 1] - end[:, 0]
+        lengths[part] = np.sqrt(dot(side, side))
+    return lengths

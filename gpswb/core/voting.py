@@ -49,52 +49,59 @@ def vote(
     current = types.copy()
     votes_cast = types != SHARP_EDGE
     pairs = pairs[votes_cast[pairs].all(axis=1)]
-    ones = np.ones(2 * len(pairs))
-    ends = np.concatenate([pairs, pairs[:, ::-1]])
-    graph = coo_matrix((ones, (ends[:, 0], ends[:, 1])), shape=(n, n)).tocsr()
-    free = votes_cast & (np.diff(graph.indptr) > 0)
-    if fixed is not None:
-        free &= ~fixed
-    if in_place:
-        colours = _colour(pairs, n)
-        sets = [np.flatnonzero(free & (colours == c)) for c in range(colours.max(initial=0) + 1)]
-    else:
-        sets = [np.flatnonzero(free)]
-    rows = [graph[members] for members in sets]
+    ends = np.concatenate([pairs, pairs[:, ::-1]]).T
+    graph = coo_matrix((np.ones(len(ends[0])), (ends[0], ends[1])), shape=(n, n)).tocsr()
+    free = votes_cast if fixed is None else votes_cast & ~fixed
+    sets = _independent_sets(pairs, free) if in_place else [np.flatnonzero(free)]
     similarity = 1.0 - shape_type_differences()
+    # An element asks again only once a neighbour has changed; who agrees with all never does.
+    asks = np.zeros(n, dtype=bool)
+    asks[pairs[current[pairs[:, 0]] != current[pairs[:, 1]]]] = True
     for sweep in range(1, max_sweeps + 1):
         changed = False
-        for members, row in zip(sets, rows, strict=True):
-            if not len(members):
-                continue
-            one_hot = np.zeros((n, _LABELS))
-            one_hot[votes_cast, current[votes_cast] + 4] = 1.0
-            counts = row @ one_hot
-            own = current[members] + 4
+        for members in sets:
+            asking = members[asks[members]]
+            asks[asking] = False
+            near = graph[asking]
+            line = np.arange(len(asking))
+            entry = np.repeat(line, np.diff(near.indptr)) * _LABELS + current[near.indices] + 4
+            counts = np.bincount(entry, near.data, len(asking) * _LABELS).reshape(-1, _LABELS)
+            own = current[asking] + 4
             possibility = counts * similarity[own]
             best = np.argmax(possibility, axis=1)
-            line = np.arange(len(members))
             better = possibility[line, best] > possibility[line, own] + 1e-12
             if better.any():
                 changed = True
-                current[members[better]] = best[better] - 4
+                moved = asking[better]
+                current[moved] = best[better] - 4
+                asks[moved] = True
+                asks[graph[moved].indices] = True
         if not changed:
             return current, sweep
     return current, max_sweeps
 
 
-def _colour(pairs: IntArray, n: int) -> IntArray:
-    """Colour a graph so that neighbours differ (Jones and Plassmann, by element number hashes)."""
-    colour = np.full(n, -1, dtype=np.int64)
+def _independent_sets(pairs: IntArray, members: BoolArray) -> list[IntArray]:
+    """Sets of members without neighbours among them (Jones and Plassmann, by hashes).
+
+    Every element waits until no neighbour of higher priority does.
+    """
+    n = len(members)
     # A fixed hash: no neighbours in a row of ascending numbers, the same result every run.
     priority = (np.arange(n, dtype=np.uint64) * np.uint64(0x9E3779B97F4A7C15)).astype(np.int64)
-    ends = np.concatenate([pairs, pairs[:, ::-1]])
-    level = 0
-    while (colour < 0).any():
-        waiting = colour < 0
-        ends = ends[waiting[ends].all(axis=1)]
-        beaten = np.zeros(n, dtype=bool)
-        beaten[ends[priority[ends[:, 0]] < priority[ends[:, 1]], 0]] = True
-        colour[waiting & ~beaten] = level
-        level += 1
-    return colour
+    first, second = pairs[pairs[:, 0] != pairs[:, 1]].T
+    lower = priority[first] < priority[second]
+    beaten, winner = np.where(lower, first, second), np.where(lower, second, first)
+    waits = np.ones(n, dtype=bool)
+    waiting = np.arange(n)
+    sets = []
+    while len(waiting):
+        free = np.ones(n, dtype=bool)
+        free[beaten] = False
+        chosen = free[waiting]
+        sets.append(waiting[chosen & members[waiting]])
+        waits[waiting[chosen]] = False
+        waiting = waiting[~chosen]
+        left = waits[winner]
+        beaten, winner = beaten[left], winner[left]
+    return sets

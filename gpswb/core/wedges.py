@@ -15,6 +15,7 @@ import numpy as np
 from scipy.sparse import coo_matrix
 from scipy.sparse.csgraph import connected_components
 
+from gpswb.core.half_edges import next_in_facet
 from gpswb.core.mesh import BoolArray, FloatArray, IntArray, Mesh
 
 
@@ -36,14 +37,9 @@ class Wedges:
         return len(self.vertex)
 
     def sum_corners(self, values: FloatArray) -> FloatArray:
-        """Sum corner values (m, 3, ...) over each wedge: (w, ...)."""
-        index = self.of_corner.ravel()
-        flat = values.reshape(index.size, -1)
-        columns = [
-            np.bincount(index, weights=flat[:, k], minlength=self.count)
-            for k in range(flat.shape[1])
-        ]
-        return np.stack(columns, axis=1).reshape((self.count, *values.shape[2:]))
+        """Sum corner values (m, 3) over each wedge: (w,)."""
+        total = np.bincount(self.of_corner.ravel(), values.ravel(), self.count)
+        return total.astype(np.float64, copy=False)
 
 
 def find_wedges(mesh: Mesh, crease: BoolArray | None = None) -> Wedges:
@@ -54,24 +50,53 @@ def find_wedges(mesh: Mesh, crease: BoolArray | None = None) -> Wedges:
         crease: (e,) bool aligned with ``mesh.facet_pairs``: edges that nothing is averaged across;
             ``None`` joins all corners of a vertex, whether its fan is closed or not.
     """
-    m = len(mesh.triangles)
+    n = len(mesh.vertices)
     if crease is None:
-        return Wedges(mesh.triangles, np.arange(len(mesh.vertices), dtype=np.int64))
-    keep = ~crease
-    pairs, ends = mesh.facet_pairs[keep], mesh.pair_edges[keep]
-    first = [_corner_index(mesh, pairs[:, 0], ends[:, k]) for k in (0, 1)]
-    second = [_corner_index(mesh, pairs[:, 1], ends[:, k]) for k in (0, 1)]
-    row, col = np.concatenate(first), np.concatenate(second)
-    graph = coo_matrix((np.ones(len(row), dtype=np.int8), (row, col)), shape=(3 * m, 3 * m))
+        return Wedges(mesh.triangles, np.arange(n, dtype=np.int64))
+    corner_vertex = mesh.triangles.ravel()
+    divided = _divided_vertices(mesh, crease)
+    # Elsewhere the corners of a vertex are one wedge, and need no search (closed sheets that touch
+    # in nothing but a vertex share it).
+    corner = np.flatnonzero(divided[corner_vertex])
+    number = np.full(3 * len(mesh.triangles), -1, dtype=np.int64)
+    number[corner] = np.arange(len(corner))
+    near = np.flatnonzero(divided[mesh.pair_edges].any(axis=1) & ~crease)
+    row, col = _joined_corners(mesh, near)
+    kept = (number[row] >= 0) & (number[col] >= 0)
+    row, col = number[row[kept]], number[col[kept]]
+    graph = coo_matrix((np.ones(len(row), dtype=np.int8), (row, col)), (len(corner), len(corner)))
     count, label = connected_components(graph, directed=False)
-    label = label.astype(np.int64)
-    vertex = np.empty(count, dtype=np.int64)
-    vertex[label] = mesh.triangles.ravel()
-    return Wedges(label.reshape(m, 3), vertex)
+    whole = np.zeros(n, dtype=bool)
+    whole[corner_vertex] = True
+    whole &= ~divided
+    of_vertex = np.cumsum(whole) - 1
+    of_corner = of_vertex[corner_vertex]
+    of_corner[corner] = int(whole.sum()) + label
+    vertex = np.concatenate([np.flatnonzero(whole), np.empty(count, dtype=np.int64)])
+    vertex[of_corner[corner]] = corner_vertex[corner]
+    return Wedges(of_corner.reshape(-1, 3), vertex)
 
 
-def _corner_index(mesh: Mesh, facet: IntArray, vertex: IntArray) -> IntArray:
-    """Flat index 3 f + k of the corner of each facet that lies at the given vertex."""
-    local = np.argmax(mesh.triangles[facet] == vertex[:, None], axis=1)
-    index: IntArray = 3 * facet + local
-    return index
+def _divided_vertices(mesh: Mesh, crease: BoolArray) -> BoolArray:
+    """(n,) vertices at a crease, or at a side without a single neighbour: they may have several
+    wedges."""
+    divided = np.zeros(len(mesh.vertices), dtype=bool)
+    divided[mesh.pair_edges[crease]] = True
+    single = np.ones(3 * len(mesh.triangles), dtype=bool)
+    single[mesh.half_edge_pairs] = False
+    half = np.flatnonzero(single)
+    for end in (half, next_in_facet(half)):
+        divided[mesh.triangles.ravel()[end]] = True
+    return divided
+
+
+def _joined_corners(mesh: Mesh, edges: IntArray) -> tuple[IntArray, IntArray]:
+    """Corners that meet at either end of each edge, as two arrays."""
+    first, second = mesh.half_edge_pairs[edges].T
+    after, beyond = next_in_facet(first), next_in_facet(second)
+    # Neighbours run along their edge in opposite directions, unless one is turned over.
+    vertex = mesh.triangles.ravel()
+    turned = vertex[first] == vertex[second]
+    row = np.concatenate([first, after])
+    col = np.concatenate([np.where(turned, second, beyond), np.where(turned, beyond, second)])
+    return row, col

@@ -15,18 +15,13 @@ from analytic_meshes import (
 )
 from hypothesis import given
 from hypothesis import strategies as st
+from scipy.spatial.transform import Rotation
 
-from gpswb.core.curvature import (
-    Curvature,
-    curvedness,
-    estimate_curvature,
-    principal,
-    shape_index,
-    tangent_frame,
-)
+from gpswb.core.curvature import Curvature, curvedness, estimate_curvature, shape_index
 from gpswb.core.mesh import FloatArray, Mesh
 from gpswb.core.normals import wedge_normals
 from gpswb.core.sharp_edges import feature_edges
+from gpswb.core.tangent_frames import tangent_frame, turned_direction
 from gpswb.core.wedges import Wedges, find_wedges
 
 
@@ -140,17 +135,36 @@ def test_closed_form_eigenvalues(seed: int) -> None:
     u, v = tangent_frame(n)
     frame = np.stack([u, v, n], axis=1)
     assert np.abs(frame @ np.swapaxes(frame, 1, 2) - np.eye(3)).max() < 1e-12
-    local = rng.normal(size=(20, 2, 2))
-    local = local + np.swapaxes(local, 1, 2)
-    tensor = np.swapaxes(frame[:, :2], 1, 2) @ local @ frame[:, :2]
-    k_max, k_min, direction = principal(tensor, n)
+    mean, even, odd = rng.normal(size=(3, 20))
+    found = Curvature(n, mean, even + 1j * odd, np.zeros(0), np.zeros(0))
+    local = np.array([[mean + even, odd], [odd, mean - even]]).transpose(2, 0, 1)
     exact = np.linalg.eigvalsh(local)
-    assert np.abs(np.column_stack([k_min, k_max]) - exact).max() < 1e-12
-    assert np.abs(np.einsum("nij,nj->ni", tensor, direction) - k_max[:, None] * direction).max() < (
-        1e-11
+    assert np.abs(np.column_stack([found.k_min, found.k_max]) - exact).max() < 1e-12
+    tensor = np.swapaxes(frame[:, :2], 1, 2) @ local @ frame[:, :2]
+    pulled = np.einsum("nij,nj->ni", tensor, found.direction)
+    assert np.abs(pulled - found.k_max[:, None] * found.direction).max() < 1e-11
+
+
+@given(st.integers(0, 10**6))
+def test_a_direction_turns_by_the_least_rotation_between_normals(seed: int) -> None:
+    rng = np.random.default_rng(seed)
+    start, end = rng.normal(size=(2, 20, 3))
+    start, end = (n / np.linalg.norm(n, axis=1, keepdims=True) for n in (start, end))
+    apart = np.einsum("ni,ni->n", start, end) > -0.9
+    start, end = start[apart], end[apart]
+    vector = tangent_frame(start)[1]
+    axis = np.cross(start, end)
+    axis /= np.linalg.norm(axis, axis=1, keepdims=True)
+    angle = np.arctan2(
+        np.linalg.norm(np.cross(start, end), axis=1), np.einsum("ni,ni->n", start, end)
     )
+    turned = Rotation.from_rotvec(angle[:, None] * axis).apply(vector)
+    cos, sin = turned_direction(vector.T, start.T, end.T)
+    u, v = tangent_frame(end)
+    assert np.abs(cos[:, None] * u + sin[:, None] * v - turned).max() < 1e-12
 
 
 def test_a_plane_has_none() -> None:
     found, _ = curvature_of(plane())
-    assert np.abs(found.tensor).max() < 1e-15
+    assert np.abs(found.k_max).max() < 1e-15
+    assert np.abs(found.k_min).max() < 1e-15

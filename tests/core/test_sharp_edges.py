@@ -21,7 +21,7 @@ from gpswb.core.curvature import curvedness
 from gpswb.core.discrete_curvature import discrete_curvatures
 from gpswb.core.mesh import BoolArray, FloatArray, Mesh
 from gpswb.core.normals import wedge_normals
-from gpswb.core.sharp_edges import feature_edges, sharp_vertices_by_curvedness, turning_angles
+from gpswb.core.sharp_edges import feature_edges, sharp_vertices_by_curvedness
 from gpswb.core.wedges import find_wedges
 
 
@@ -54,7 +54,7 @@ def test_a_cylinder_has_its_two_rims_at_any_density(nu: int) -> None:
 
 def test_smooth_surfaces_have_none() -> None:
     for mesh in (sphere(level=4), torus(14), extrusion(24, 6)):
-        assert turning_angles(mesh).max() > 0.1
+        assert mesh.turning.max() > 0.1
         assert not feature_edges(mesh).any()
 
 
@@ -87,7 +87,7 @@ def test_a_rounding_between_planes_has_none(strips: int) -> None:
         return end + 12.0 * u[:, None] * along + np.column_stack([0 * u, 15.0 * v, 0 * u])
 
     mesh = weld(sheet(surface, strips, 3), sheet(flat, 3, 3), sheet(tilted, 3, 3))
-    assert turning_angles(mesh).max() > 0.03
+    assert mesh.turning.max() > 0.03
     assert not feature_edges(mesh).any()
 
 
