@@ -39,7 +39,9 @@ fi
 inside dpkg-query -W -f '${Package} ${Version}\n' freecad libocct-foundation-7.8 python3 python3-numpy
 inside freecadcmd -t gpswb.selftest -M /gpswb </dev/null
 rm -f "$root/build/freecad/passed"
-inside GPSWB_TESTS="tests/freecad/test_addon_metadata.py tests/freecad/test_partition_object.py" \
+inside GPSWB_TESTS="tests/freecad/test_addon_metadata.py tests/freecad/test_annotation_objects.py
+    tests/freecad/test_frame_places.py tests/freecad/test_measured_objects.py
+    tests/freecad/test_measured_partition.py tests/freecad/test_partition_object.py" \
     freecadcmd /gpswb/tests/freecad/run_pytest.py </dev/null
 [ -e "$root/build/freecad/passed" ]
 inside sh /gpswb/tests/gui/run.sh /gpswb/build/gui-matrix

@@ -66,15 +66,19 @@ def stored_measurements(path: Path) -> list[Measurement]:
 def _stored(archive: zipfile.ZipFile, item: ET.Element) -> Measurement | None:
     mesh = item.find("./Properties/Property[@type='Mesh::PropertyMeshKernel']/Mesh")
     if mesh is not None and mesh.get("file"):
-        return _mesh(read_member(archive, mesh.get("file", "")))
+        return read_mesh(read_member(archive, mesh.get("file", "")))
     points = item.find("./Properties/Property[@type='Points::PropertyPointKernel']/Points")
     if points is not None and points.get("file"):
-        return _points(read_member(archive, points.get("file", "")))
+        return read_points(read_member(archive, points.get("file", "")))
     return None
 
 
-def _mesh(data: bytes) -> Measurement:
-    """A mesh in FreeCAD's binary format: points, then three corners and neighbours a facet."""
+def read_mesh(data: bytes) -> Measurement:
+    """A mesh in FreeCAD's binary format: points, then three corners and neighbours a facet.
+
+    Raises:
+        ValueError: it isn't in that format, or is cut short.
+    """
     magic, version = np.frombuffer(data, "<u4", 2)
     if (magic, version) != (_MAGIC, _VERSION):
         raise ValueError("a mesh is stored in an unknown format")
@@ -84,7 +88,12 @@ def _mesh(data: bytes) -> Measurement:
     return Measurement(vertices.astype(np.float64), facets[:, :3].astype(np.int64))
 
 
-def _points(data: bytes) -> Measurement:
+def read_points(data: bytes) -> Measurement:
+    """Points in FreeCAD's binary format: their number, then their coordinates.
+
+    Raises:
+        ValueError: it is cut short.
+    """
     n = int(np.frombuffer(data, "<u4", 1)[0])
     points = np.frombuffer(data, "<f4", 3 * n, 4).reshape(-1, 3)
     return Measurement(points.astype(np.float64), np.zeros((0, 3), dtype=np.int64))

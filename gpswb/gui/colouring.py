@@ -60,11 +60,6 @@ class Colouring:
     of_face: IntArray
 
     @property
-    def facet_colours(self) -> FloatArray:
-        """(m, 3) red, green, blue."""
-        return self.palette[self.of_facet]
-
-    @property
     def face_colours(self) -> list[tuple[float, float, float]]:
         """One colour a face."""
         return [(r, g, b) for r, g, b in self.palette[self.of_face].tolist()]
@@ -85,7 +80,7 @@ def colouring(
     """Colours of a result.
 
     Args:
-        stored: the result, with a B-rep behind it.
+        stored: the result, with faces or pieces.
         by: what the colours show.
         palette: colours of the classes.
         datums: letter and choice of each datum, for the constraint state; suggested if not given.

@@ -73,6 +73,13 @@ def warn(text: str) -> None:
     FreeCAD.Console.PrintWarning(f"GPS: {text}\n")
 
 
+def selection_colour() -> Colour:
+    """The colour that FreeCAD gives what is selected, a preference of the user's."""
+    group = FreeCAD.ParamGet("User parameter:BaseApp/Preferences/View")
+    packed = group.GetUnsigned("SelectionColor", 0x1CAD1CFF)
+    return ((packed >> 24) / 255, (packed >> 16 & 255) / 255, (packed >> 8 & 255) / 255)
+
+
 def face_colours(view: Any) -> list[tuple[float, ...]] | None:
     """Colours of a shape's faces (one, or one a face); None where a view has none."""
     colours = getattr(view, "DiffuseColor", None)

@@ -8,11 +8,13 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any
 
+from gpswb.cad.freecad_measured import is_measurement
 from gpswb.errors import InputError
 from gpswb.gui.annotation import annotation_of
 from gpswb.gui.annotation_rows import specification_rows
 from gpswb.gui.objects.partition import effective_result
 from gpswb.gui.original_file import original_of
+from gpswb.gui.pieces import without_pieces
 from gpswb.io.ap242.verified import write_verified_ap242
 from gpswb.io.ap242.write import read_text
 from gpswb.io.faces_csv import write_faces
@@ -23,34 +25,40 @@ from gpswb.io.ply import write_ply
 from gpswb.io.qif import write_qif
 from gpswb.io.result_json import write_result
 from gpswb.io.specification_file import write_specifications
+from gpswb.io.stored_result import StoredResult
 from gpswb.io.whole import whole_file
 from gpswb.report.part_report import write_report
 
 
+def _plain(obj: Any) -> StoredResult:
+    return without_pieces(effective_result(obj)[0])
+
+
 def _result(path: Path, obj: Any) -> None:
-    write_result(path, dict(effective_result(obj)[0].document))
+    write_result(path, dict(_plain(obj).document))
 
 
 def _faces(path: Path, obj: Any) -> None:
-    write_faces(path, effective_result(obj)[0].faces)
+    write_faces(path, _plain(obj).faces)
 
 
 def _labels(path: Path, obj: Any) -> None:
-    stored, _ = effective_result(obj)
-    write_labels(path, stored.partition, stored.solid.facemap)
+    stored = _plain(obj)
+    solid = stored.solid
+    write_labels(path, stored.partition, solid.facemap, solid.pointmap)
 
 
 def _ply(path: Path, obj: Any) -> None:
-    write_ply(path, effective_result(obj)[0].partition)
+    write_ply(path, _plain(obj).partition)
 
 
 def _report(path: Path, obj: Any) -> None:
-    stored, _ = effective_result(obj)
+    stored = _plain(obj)
     write_report(path, dict(stored.document), stored.partition, stored.solid.facemap)
 
 
 def _features(path: Path, obj: Any) -> None:
-    source = effective_result(obj)[0].document["source"]
+    source = _plain(obj).document["source"]
     write_features_json(path, features_document(annotation_of(obj), source))
 
 
@@ -102,6 +110,14 @@ FORMATS: Mapping[str, tuple[str, Callable[[Path, Any], str | None]]] = {
     ".npz": ("Mesh with labels", _labels),
 }
 """Kind and writer by suffix, the longer where two fit; a writer may have something to say."""
+_OF_MEASURED = (".html", ".json", ".ply", ".npz")
+"""What a part without faces can be written as."""
+
+
+def formats_of(obj: Any) -> dict[str, str]:
+    """Kind by suffix of all that a partition can be written as."""
+    fitting = _OF_MEASURED if is_measurement(obj.Source) else tuple(FORMATS)
+    return {suffix: FORMATS[suffix][0] for suffix in fitting}
 
 
 def export(obj: Any, path: Path) -> str:
@@ -111,13 +127,16 @@ def export(obj: Any, path: Path) -> str:
         What there is to say of it; empty for nothing.
 
     Raises:
-        InputError: it has no result, or the suffix is unknown.
+        InputError: it has no result, or the suffix is unknown or needs faces that a mesh hasn't.
         OutputError: the file can't be written.
     """
     name = path.name.lower()
     fitting = [suffix for suffix in FORMATS if name.endswith(suffix)]
     if not fitting:
         raise InputError(f"{path.name}: the name must end in one of {', '.join(FORMATS)}")
-    _, write = FORMATS[max(fitting, key=len)]
+    suffix = max(fitting, key=len)
+    kind, write = FORMATS[suffix]
+    if suffix not in formats_of(obj):
+        raise InputError(f"{path.name}: {kind}: {obj.Source.Label} is a mesh without CAD faces")
     with whole_file(path) as draft:
         return write(draft, obj) or ""

@@ -10,12 +10,15 @@ from typing import Any
 import numpy as np
 
 from gpswb.errors import InputError
+from gpswb.gui.pieces import PIECE
 from gpswb.io.stored_result import StoredResult
 
 SAME_AREA = 1e-6
 """Relative: areas come from the kernel and repeat to rounding."""
 SAME_CENTRE = 0.01
 """Of the diagonal: centres come from the mesh, which may be of another density."""
+SAME_PIECE = 0.1
+"""Relative, for the areas of a measured part's regions: their borders lie where a run puts them."""
 
 
 @dataclass(frozen=True)
@@ -28,7 +31,7 @@ class FaceKey:
 
 
 def face_keys(stored: StoredResult) -> list[FaceKey]:
-    """A key for each face of a part, in order; none for a mesh."""
+    """A key for each face of a part, in order."""
     facemap = stored.solid.facemap
     if facemap is None:
         return []
@@ -81,7 +84,7 @@ def find_faces(
         elif len(alike) == 1:
             notes.append(f"{face.name} is now {keys[alike[0]].name}")
             found.append(alike[0])
-        elif same is not None:
+        elif same is not None and not face.name.startswith(PIECE):  # numbers of regions say nothing
             notes.append(f"{face.name} has changed")
             found.append(same)
         else:
@@ -101,4 +104,5 @@ def face_key(entry: Any) -> FaceKey:
 
 def _alike(key: FaceKey, wanted: FaceKey, diagonal: float) -> bool:
     near = float(np.linalg.norm(np.subtract(key.centre, wanted.centre))) <= SAME_CENTRE * diagonal
-    return near and abs(key.area - wanted.area) <= SAME_AREA * max(key.area, wanted.area)
+    same = SAME_PIECE if key.name.startswith(PIECE) else SAME_AREA
+    return near and abs(key.area - wanted.area) <= same * max(key.area, wanted.area)

@@ -43,19 +43,16 @@ def face_rows(stored: StoredResult, name: str) -> list[tuple[str, str]]:
     face = next((face for face in stored.faces if face.name == name), None)
     if face is None:
         raise InputError(f"no face {name!r}")
-    rows = [
-        (translate("GPS", "Class"), translate("GPS", face.invariance_class or "none")),
-        (
-            translate("GPS", "CAD surface"),
-            f"{translate('GPS', face.surface)}, {translate('GPS', face.true_class or '–')}",
-        ),
-        (translate("GPS", "Agreement"), _agreement(face)),
-        (translate("GPS", "Area"), quantity(face.area, FreeCAD.Units.Area)),
-        (translate("GPS", "Triangles"), str(face.triangles)),
-    ]
+    rows = [(translate("GPS", "Class"), translate("GPS", face.invariance_class or "none"))]
     if face.undecided:
         classes = ", ".join(translate("GPS", each) for each in face.undecided)
-        rows.insert(1, (translate("GPS", "Undecided"), classes))
+        rows.append((translate("GPS", "Undecided"), classes))
+    if stored.document["faces"]:  # what was measured has no CAD to compare with
+        surface = f"{translate('GPS', face.surface)}, {translate('GPS', face.true_class or '–')}"
+        rows.append((translate("GPS", "CAD surface"), surface))
+        rows.append((translate("GPS", "Agreement"), _agreement(face)))
+    rows.append((translate("GPS", "Area"), quantity(face.area, FreeCAD.Units.Area)))
+    rows.append((translate("GPS", "Triangles"), str(face.triangles)))
     region = next((r for r in stored.partition.regions if r.id in face.regions[:1]), None)
     return rows + (_region_rows(region) if region is not None else [])
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""A fingerprint of a shape, that changes when its geometry does and at no other time."""
+"""A fingerprint of a part, that changes when its geometry does and at no other time."""
 
 from __future__ import annotations
 
@@ -8,8 +8,21 @@ from typing import Any
 
 import numpy as np
 
+from gpswb.cad.freecad_measured import is_measurement, measurement_of
+
 DIGITS = 9
 """Digits kept of lengths over the part's size: a file keeps some 15 of them."""
+
+
+def fingerprint(source: Any) -> str:
+    """Hash of a document object's shape, mesh or points."""
+    if not is_measurement(source):
+        return shape_fingerprint(source.Shape)
+    part = measurement_of(source)
+    found = hashlib.sha256(f"{len(part.vertices)} {len(part.triangles)}".encode())
+    found.update(part.vertices.tobytes())
+    found.update(part.triangles.tobytes())
+    return found.hexdigest()
 
 
 def shape_fingerprint(shape: Any) -> str:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Bring a CAD file into a document, with its colours where there is a window."""
+"""Bring a part into a document: CAD, with its colours where there is a window, or a scan."""
 
 from __future__ import annotations
 
@@ -8,24 +8,36 @@ from typing import Any
 
 import FreeCAD
 
+from gpswb.cad.freecad_measured import is_measurement
 from gpswb.cad.sniff import sniff
 from gpswb.errors import InputError
 from gpswb.gui import compat
 from gpswb.gui.original_file import remember_file
 
 SUFFIXES = (".step", ".stp", ".p21", ".brep", ".brp")
+MESHES, CLOUDS = (".stl", ".ply", ".obj", ".off"), (".asc", ".xyz", ".pcd")
+"""What FreeCAD's modules Mesh and Points read, of what was measured."""
 
 
 def import_part(path: Path, document: Any) -> list[Any]:
-    """Import a STEP or BREP file; the objects that can be partitioned.
+    """Import a STEP or BREP file, a mesh or points; the objects that can be partitioned.
 
     Raises:
-        InputError: the file can't be read, or holds no faces.
+        InputError: the file can't be read, or holds nothing to partition.
     """
-    form, sha256 = sniff(path)
+    suffix = path.suffix.lower()
+    form, sha256 = ("", "") if suffix in (*MESHES, *CLOUDS) else sniff(path)
     before = {obj.Name for obj in document.Objects}
     try:
-        if form == "brep":
+        if suffix in MESHES:
+            import Mesh
+
+            Mesh.insert(str(path), document.Name)
+        elif suffix in CLOUDS:
+            import Points
+
+            Points.insert(str(path), document.Name)
+        elif form == "brep":
             import Part
 
             obj = document.addObject("Part::Feature", "Part")
@@ -44,12 +56,18 @@ def import_part(path: Path, document: Any) -> list[Any]:
         raise InputError(f"{path}: FreeCAD can't read the file ({reason[0]})") from None
     new = [obj for obj in document.Objects if obj.Name not in before]
     document.recompute(new)
-    found = [obj for obj in new if obj.isDerivedFrom("Part::Feature") and obj.Shape.Faces]
+    found = [obj for obj in new if _usable(obj)]
     if len(found) == 1:  # the name in a STEP file is often that of the program that wrote it
         found[0].Label = path.stem
     if not found:
-        raise InputError(f"{path}: the file holds no faces")
+        raise InputError(f"{path}: the file holds {'no faces' if form else 'nothing to partition'}")
     if form == "step":
         for obj in found:
             remember_file(obj, path, sha256)
     return found
+
+
+def _usable(obj: Any) -> bool:
+    if is_measurement(obj):
+        return bool(obj.Mesh.CountFacets if hasattr(obj, "Mesh") else obj.Points.CountPoints)
+    return bool(obj.isDerivedFrom("Part::Feature") and obj.Shape.Faces)

@@ -155,14 +155,15 @@ def _with_partition(stored: StoredResult, partition: Partition) -> StoredResult:
         )
         for new, old in zip(map_back(partition, facemap), stored.faces, strict=True)
     )
+    listed = faces if stored.document["faces"] else ()  # a measured part's pieces are no faces
     on_region: dict[int, list[str]] = {}
-    for face in faces:
+    for face in listed:
         for region in face.regions:
             on_region.setdefault(region, []).append(face.name)
     document = {
         **stored.document,
         "regions": [finite(region_entry(r, on_region.get(r.id, []))) for r in partition.regions],
-        "faces": [finite(face_entry(face)) for face in faces],
+        "faces": [finite(face_entry(face)) for face in listed],
     }
     return StoredResult(stored.solid, partition, faces, document)
 

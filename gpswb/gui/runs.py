@@ -8,30 +8,36 @@ import tempfile
 from pathlib import Path
 from typing import Any
 
-from gpswb.batch.one_part import examine
+from gpswb.batch.one_part import Outcome, Progress, examine, partition_solid
 from gpswb.batch.settings import Settings
 from gpswb.cad.density import Density
+from gpswb.cad.freecad_measured import is_measurement, measurement_of
 from gpswb.cad.isolate import IsolatedJob, job_progress
 from gpswb.cad.read import read_solid
 from gpswb.io.labels_npz import write_labels
+from gpswb.io.measured_file import read_stored_measurement, write_measurement
 from gpswb.io.result_json import result_document
+
+_SHAPE, _MEASURED = "shape.brep", "measured.npz"
 
 
 class Run:
-    """A job on a shape: see `IsolatedJob`, which it is made of.
+    """A job on a part: see `IsolatedJob`, which it is made of.
 
     Args:
         job: name of a function of this module, whose first arguments are a directory and a label.
-        shape: a FreeCAD shape.
-        label: what to call it in results and errors.
+        source: a document object with a shape, a mesh or points.
         args: what else the function takes.
     """
 
-    def __init__(self, job: str, shape: Any, label: str, *args: Any) -> None:
+    def __init__(self, job: str, source: Any, *args: Any) -> None:
         self._folder = tempfile.TemporaryDirectory(prefix="gpswb-run-")
         self.folder = Path(self._folder.name)
-        shape.exportBrep(str(self.folder / "shape.brep"))
-        self._job = IsolatedJob(f"{__name__}:{job}", [str(self.folder), label, *args])
+        if is_measurement(source):
+            write_measurement(self.folder / _MEASURED, measurement_of(source))
+        else:
+            source.Shape.exportBrep(str(self.folder / _SHAPE))
+        self._job = IsolatedJob(f"{__name__}:{job}", [str(self.folder), source.Label, *args])
 
     @property
     def running(self) -> bool:
@@ -58,18 +64,31 @@ class Run:
 
 
 def partition_shape(folder: str, label: str, density: str, mode: str) -> dict[str, Any]:
-    """Job: partition ``shape.brep``; leaves ``labels.npz`` and returns the result's document."""
+    """Job: partition a shape; leaves ``labels.npz`` and returns the result's document."""
     tell = job_progress()
-    outcome = examine(Path(folder, "shape.brep"), _settings(density, mode), tell)
+    outcome = examine(Path(folder, _SHAPE), _settings(density, mode), tell)
+    return _stored(Path(folder), label, outcome, tell)
+
+
+def partition_measurement(folder: str, label: str, mode: str) -> dict[str, Any]:
+    """Job: the same for a mesh or points."""
+    tell = job_progress()
+    tell("read", 0.0)
+    solid = read_stored_measurement(Path(folder, _MEASURED), label)
+    solid, partition = partition_solid(solid, _settings("auto", mode), tell)
+    return _stored(Path(folder), label, Outcome(solid, partition, None), tell)
+
+
+def _stored(folder: Path, label: str, outcome: Outcome, tell: Progress) -> dict[str, Any]:
     tell("store", 0.0)
-    write_labels(Path(folder, "labels.npz"), outcome.partition, outcome.solid.facemap)
     solid = dataclasses.replace(outcome.solid, source=label)
+    write_labels(folder / "labels.npz", outcome.partition, solid.facemap, solid.pointmap)
     return result_document(solid, outcome.partition, outcome.validation)
 
 
 def count_triangles(folder: str, label: str, density: str) -> dict[str, Any]:
-    """Job: mesh ``shape.brep`` as a run would, and say how many triangles that makes, by what."""
-    solid = read_solid(Path(folder, "shape.brep"), Density.parse(density), "freecad")
+    """Job: mesh a shape as a run would, and say how many triangles that makes, by what."""
+    solid = read_solid(Path(folder, _SHAPE), Density.parse(density), "freecad")
     return {"triangles": len(solid.mesh.triangles), "mesher": solid.mesher}
 
 
@@ -81,7 +100,7 @@ def sweep_densities(
     rows = []
     for i, density in enumerate(densities):
         tell(density, i / len(densities))
-        outcome = examine(Path(folder, "shape.brep"), _settings(density, mode))
+        outcome = examine(Path(folder, _SHAPE), _settings(density, mode))
         result, judged = outcome.partition, outcome.validation
         assert judged is not None
         seconds = sum([*outcome.solid.timings.values(), *result.timings.values()])

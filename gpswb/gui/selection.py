@@ -9,10 +9,18 @@ from typing import Any
 import FreeCAD
 import FreeCADGui
 
+from gpswb.cad.freecad_measured import is_measurement
 from gpswb.errors import InputError
 from gpswb.gui.objects.annotation import is_annotation
 from gpswb.gui.objects.feature import is_feature
-from gpswb.gui.objects.partition import is_partition, partitions, usable_source
+from gpswb.gui.objects.partition import (
+    effective_result,
+    is_partition,
+    partitions,
+    usable_source,
+)
+from gpswb.gui.pieces import PIECE
+from gpswb.validation.face_result import faces_and_bodies
 
 
 def parts(document: Any) -> list[Any]:
@@ -68,21 +76,24 @@ def with_result() -> Any:
 
 
 def chosen_faces(partition: Any) -> list[str]:
-    """Names of the selected faces of a partition's part."""
-    found = []
+    """Names of the selected faces of a partition's part; of a measured one, of its pieces."""
+    found: list[str] = []
     for entry in FreeCADGui.Selection.getSelectionEx():
         if entry.Object is partition.Source or entry.Object is partition:
-            found += [name for name in entry.SubElementNames if name.startswith("Face")]
-        elif (
-            is_feature(entry.Object) or is_annotation(entry.Object)
-        ) and entry.Object in partition.Group:
+            found += [name for name in entry.SubElementNames if name.startswith(("Face", PIECE))]
+        elif entry.Object not in partition.Group:
+            continue
+        elif is_annotation(entry.Object):
             found += [name for _, names in entry.Object.Faces for name in names]
+        elif is_feature(entry.Object):
+            on_region, _ = faces_and_bodies(effective_result(partition)[0].faces)
+            found += on_region.get(entry.Object.Region, [])
     return list(dict.fromkeys(found))
 
 
 def select_faces(partition: Any, names: Iterable[str]) -> None:
-    """Select faces of a partition's part, and nothing else."""
-    source = partition.Source
+    """Select faces of a partition's part, or pieces of a measured one, and nothing else."""
+    source = partition if is_measurement(partition.Source) else partition.Source
     FreeCADGui.Selection.clearSelection()
     for name in names:
         FreeCADGui.Selection.addSelection(source.Document.Name, source.Name, name)

@@ -52,7 +52,7 @@ class _Observer:
     def slotStartSaveDocument(self, document: Any, path: str) -> None:
         """Before a save."""
         for view in _views(document):
-            restore_colours(view)
+            view.Proxy.give_back(view)
 
     def slotFinishSaveDocument(self, document: Any, path: str) -> None:
         """After it: what is shown is ours again."""

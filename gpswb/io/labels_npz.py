@@ -27,8 +27,8 @@ def write_labels(
     each −1 for none. What the first step found is beside them, under the names of `Partition`:
     ``shape_type``, ``initial_region`` (m,), and by vertex ``shape_index``, ``curvedness``,
     ``vertex_shape_type`` (n,); and ``feature_of_face`` (f,) of the face map. For a point cloud
-    also ``point`` (n, 3), ``point_region`` and ``point_class`` (n,): every point as read, those
-    that were thinned away included.
+    also ``point`` (n, 3), ``point_vertex``, ``point_region`` and ``point_class`` (n,): every point
+    as read, those that were thinned away included, with the vertex that stands for it.
 
     Raises:
         OSError: the file can't be written.
@@ -53,6 +53,7 @@ def write_labels(
         index = region_of_points(partition, pointmap.vertex_of_point)
         classes = [CLASSES.index(region.invariance_class) for region in partition.regions]
         arrays["point"] = pointmap.points
+        arrays["point_vertex"] = pointmap.vertex_of_point
         arrays["point_region"] = ids[index]
         arrays["point_class"] = np.array([*classes, -1], dtype=np.int64)[index]
     with path.open("wb") as file:

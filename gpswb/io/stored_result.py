@@ -12,7 +12,7 @@ from typing import Any
 
 import numpy as np
 
-from gpswb.cad.solid import Face, FaceMap, Solid
+from gpswb.cad.solid import Face, FaceMap, PointMap, Solid
 from gpswb.core.invariance import CLASSES
 from gpswb.core.mesh import Mesh
 from gpswb.core.partition import Partition, Region
@@ -109,6 +109,9 @@ def _assembled(document: Mapping[str, Any], arrays: Mapping[str, Any]) -> Stored
     )
     cad = tuple(Face(face.name, face.area, face.solid, None) for face in faces)
     facemap = FaceMap(arrays["face"], cad, arrays["feature_of_face"]) if faces else None
+    pointmap = None
+    if "point_vertex" in arrays:
+        pointmap = PointMap(arrays["point"], arrays["point_vertex"])
     source, made = document["source"], document["mesh"]
     solid = Solid(
         mesh=mesh,
@@ -120,6 +123,7 @@ def _assembled(document: Mapping[str, Any], arrays: Mapping[str, Any]) -> Stored
         notes=tuple(str(note) for note in document["notes"]),
         sha256=str(source["sha256"]),
         timings={str(name): _number(value) for name, value in timings.items()},
+        pointmap=pointmap,
     )
     return StoredResult(solid, partition, faces, document)
 

@@ -29,5 +29,6 @@ wanted = [str(suite) for suite in sorted(suites) if suite.name not in elsewhere]
 status = pytest.main(os.environ.get("GPSWB_TESTS", "").split() or wanted)
 sys.stdout.flush()
 if status == 0:
+    PASSED.parent.mkdir(parents=True, exist_ok=True)
     PASSED.touch()
 os._exit(int(status))

@@ -5,7 +5,7 @@ import FreeCAD
 import FreeCADGui
 from conftest import own_colours
 from test_partition_panel import rgb, true_classes
-from window import click_in_view, picture, pixel_of_face, pixels, settle
+from window import click_in_view, hue_is, picture, pixel_of_face, pixels, settle
 
 from gpswb.gui.colouring import COLOUR_BY
 from gpswb.gui.compat import face_colours
@@ -96,7 +96,7 @@ def test_mesh_with_a_colour_a_facet(block, partition):
     picture("facets_window")
     for name in ("planar", "spherical"):
         r, g, b = WHEEL[name]
-        alike = [p for p in seen if _hue_is(p, (r, g, b))]
+        alike = [p for p in seen if hue_is(p, (r, g, b))]
         assert len(alike) > 50, name
     partition.ViewObject.Elements = "Faces"
     settle()
@@ -140,12 +140,3 @@ def test_palette_for_colour_blind_eyes(block, partition):
         group.RemInt("Palette")
     settle()
     assert is_coloured(block)
-
-
-def _hue_is(pixel, colour):
-    top = max(pixel)
-    if top < 60 or max(pixel) - min(pixel) < 40:
-        return False
-    a = [value / top for value in pixel]
-    b = [value / max(colour) for value in colour]
-    return all(abs(x - y) < 0.25 for x, y in zip(a, b, strict=True))

@@ -106,3 +106,13 @@ def picture(name):
 def objects(document=None):
     """Names of a document's objects."""
     return [obj.Name for obj in (document or FreeCAD.ActiveDocument).Objects]
+
+
+def hue_is(pixel, colour):
+    """Whether a pixel has a colour's hue: what is lit from the side is darker."""
+    top = max(pixel)
+    if top < 60 or max(pixel) - min(pixel) < 40:
+        return False
+    a = [value / top for value in pixel]
+    b = [value / max(colour) for value in colour]
+    return all(abs(x - y) < 0.25 for x, y in zip(a, b, strict=True))

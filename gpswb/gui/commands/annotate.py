@@ -3,11 +3,11 @@
 
 from __future__ import annotations
 
-from gpswb.gui.commands.command import BaseCommand
+from gpswb.gui.commands.command import ResultCommand
 from gpswb.gui.compat import QT_TRANSLATE_NOOP
 
 
-class Command(BaseCommand):
+class Command(ResultCommand):
     """Open the panel with the symbols that a feature may carry."""
 
     name = "GPS_Annotate"
@@ -17,11 +17,7 @@ class Command(BaseCommand):
         "Put a specification on a feature: what ISO 1101 permits there, and why not the rest",
     )
     shortcut = "G, A"
-
-    def IsActive(self) -> bool:
-        from gpswb.gui.selection import with_result
-
-        return with_result() is not None
+    faces = True
 
     def run(self) -> None:
         from gpswb.gui.panels.annotate import AnnotatePanel

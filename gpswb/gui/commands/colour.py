@@ -6,7 +6,7 @@ from __future__ import annotations
 from typing import Any
 
 from gpswb.gui.colouring import COLOUR_BY, ColourBy
-from gpswb.gui.commands.command import BaseCommand
+from gpswb.gui.commands.command import BaseCommand, ResultCommand
 from gpswb.gui.compat import QT_TRANSLATE_NOOP
 from gpswb.gui.icons import icon
 
@@ -38,22 +38,20 @@ _TEXTS: dict[ColourBy, tuple[str, str]] = {
 }
 
 
-class _By(BaseCommand):
+class _By(ResultCommand):
     """Colour by one thing."""
+
+    beside_panels = True
 
     def __init__(self, by: ColourBy) -> None:
         self.by = by
         self.name = f"GPS_Colour_{COLOUR_BY.index(by)}"  # type: ignore[misc]
         self.text, self.tooltip = _TEXTS[by]  # type: ignore[misc]
+        self.faces = by in ("agreement with CAD", "constraint state")
 
     @property
     def icon(self) -> str:
         return icon("GPS_Colour")
-
-    def IsActive(self) -> bool:
-        from gpswb.gui.selection import with_result
-
-        return with_result() is not None
 
     def run(self) -> None:
         from gpswb.gui.selection import with_result
@@ -72,6 +70,7 @@ class _Facets(_By):
         self.tooltip = QT_TRANSLATE_NOOP(  # type: ignore[misc]
             "GPS_Colour_Facets", "Show the mesh with a colour a facet, or the part's faces again"
         )
+        self.faces = True
 
     @property
     def icon(self) -> str:
@@ -89,6 +88,8 @@ class _Facets(_By):
 class Command(BaseCommand):
     """A drop-down of the ways to colour."""
 
+    beside_panels = True
+
     name = "GPS_Colour"
     text = QT_TRANSLATE_NOOP("GPS_Colour", "Colour")
     tooltip = QT_TRANSLATE_NOOP("GPS_Colour", "What the colours show")
@@ -103,8 +104,8 @@ class Command(BaseCommand):
     def GetResources(self) -> dict[str, Any]:
         return {**super().GetResources(), "DropDownMenu": True, "Exclusive": False}
 
-    def IsActive(self) -> bool:
-        return self.parts[0].IsActive()
+    def why_not(self) -> str:
+        return self.parts[0].why_not()
 
     def Activated(self, index: int = 0) -> None:
         self.parts[index].Activated()

@@ -3,11 +3,11 @@
 
 from __future__ import annotations
 
-from gpswb.gui.commands.command import BaseCommand
+from gpswb.gui.commands.command import ResultCommand
 from gpswb.gui.compat import QT_TRANSLATE_NOOP
 
 
-class Command(BaseCommand):
+class Command(ResultCommand):
     """Open the panel of the datum system."""
 
     name = "GPS_Datums"
@@ -16,11 +16,7 @@ class Command(BaseCommand):
         "GPS_Datums", "Choose datum features, or take the suggested ones: what each letter locks"
     )
     shortcut = "G, D"
-
-    def IsActive(self) -> bool:
-        from gpswb.gui.selection import with_result
-
-        return with_result() is not None
+    faces = True
 
     def run(self) -> None:
         from gpswb.gui.panels.datums import DatumsPanel

@@ -6,11 +6,11 @@ from __future__ import annotations
 from pathlib import Path
 
 from gpswb.gui import compat
-from gpswb.gui.commands.command import BaseCommand
+from gpswb.gui.commands.command import ResultCommand
 from gpswb.gui.compat import QT_TRANSLATE_NOOP, QtWidgets, translate
 
 
-class Command(BaseCommand):
+class Command(ResultCommand):
     """Ask for a file, and write what its suffix says."""
 
     name = "GPS_Export"
@@ -20,18 +20,14 @@ class Command(BaseCommand):
     )
     shortcut = "G, E"
 
-    def IsActive(self) -> bool:
-        from gpswb.gui.selection import with_result
-
-        return with_result() is not None
-
     def run(self) -> None:
-        from gpswb.gui.exports import FORMATS, export
+        from gpswb.gui.exports import export, formats_of
         from gpswb.gui.selection import with_result
 
         partition = with_result()
         kinds = {
-            f"{translate('GPS', kind)} (*{suffix})": suffix for suffix, (kind, _) in FORMATS.items()
+            f"{translate('GPS', kind)} (*{suffix})": suffix
+            for suffix, kind in formats_of(partition).items()
         }
         path, kind = QtWidgets.QFileDialog.getSaveFileName(
             compat.main_window(), translate("GPS", "Export"), "", ";;".join(kinds)

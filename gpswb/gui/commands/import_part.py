@@ -11,7 +11,7 @@ import FreeCADGui
 from gpswb.gui import compat
 from gpswb.gui.commands.command import BaseCommand
 from gpswb.gui.compat import QT_TRANSLATE_NOOP, QtWidgets, translate
-from gpswb.gui.importing import SUFFIXES, import_part
+from gpswb.gui.importing import CLOUDS, MESHES, SUFFIXES, import_part
 
 
 class Command(BaseCommand):
@@ -19,14 +19,17 @@ class Command(BaseCommand):
 
     name = "GPS_Import"
     text = QT_TRANSLATE_NOOP("GPS_Import", "Import part…")
-    tooltip = QT_TRANSLATE_NOOP("GPS_Import", "Bring a STEP or BREP part into the document")
+    tooltip = QT_TRANSLATE_NOOP(
+        "GPS_Import", "Bring a part into the document: STEP, BREP, mesh or points"
+    )
     shortcut = "G, I"
 
-    def IsActive(self) -> bool:
-        return True
+    def why_not(self) -> str:
+        return ""
 
     def run(self) -> None:
-        patterns = " ".join(f"*{suffix} *{suffix.upper()}" for suffix in SUFFIXES)
+        suffixes = (*SUFFIXES, *MESHES, *CLOUDS)
+        patterns = " ".join(f"*{suffix} *{suffix.upper()}" for suffix in suffixes)
         title = translate("GPS_Import", "Import part")
         kinds = translate("GPS_Import", "Parts")
         path, _ = QtWidgets.QFileDialog.getOpenFileName(

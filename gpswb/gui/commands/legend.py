@@ -3,11 +3,11 @@
 
 from __future__ import annotations
 
-from gpswb.gui.commands.command import BaseCommand
+from gpswb.gui.commands.command import ResultCommand
 from gpswb.gui.compat import QT_TRANSLATE_NOOP
 
 
-class Command(BaseCommand):
+class Command(ResultCommand):
     """Show the legend, or hide it."""
 
     name = "GPS_Legend"
@@ -16,11 +16,7 @@ class Command(BaseCommand):
         "GPS_Legend", "What the colours mean, how many faces have each; a click selects them"
     )
     shortcut = "G, L"
-
-    def IsActive(self) -> bool:
-        from gpswb.gui.selection import with_result
-
-        return with_result() is not None
+    beside_panels = True
 
     def run(self) -> None:
         from gpswb.gui.panels.legend import open_legend, show_legend

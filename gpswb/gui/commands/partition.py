@@ -7,7 +7,7 @@ import FreeCAD
 import FreeCADGui
 
 from gpswb.gui.commands.command import BaseCommand
-from gpswb.gui.compat import QT_TRANSLATE_NOOP
+from gpswb.gui.compat import QT_TRANSLATE_NOOP, translate
 
 
 class Command(BaseCommand):
@@ -21,13 +21,15 @@ class Command(BaseCommand):
     )
     shortcut = "G, P"
 
-    def IsActive(self) -> bool:
+    def why_not(self) -> str:
         from gpswb.gui.selection import parts
 
         document = FreeCAD.ActiveDocument
-        return (
-            document is not None and not FreeCADGui.Control.activeDialog() and bool(parts(document))
-        )
+        if document is None or not parts(document):
+            return str(translate("GPS", "there is no part: import one"))
+        if FreeCADGui.Control.activeDialog():
+            return str(translate("GPS", "a task panel is open: close it first"))
+        return ""
 
     def run(self) -> None:
         from gpswb.gui.objects.partition import is_partition

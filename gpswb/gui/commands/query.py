@@ -3,11 +3,11 @@
 
 from __future__ import annotations
 
-from gpswb.gui.commands.command import BaseCommand
+from gpswb.gui.commands.command import ResultCommand
 from gpswb.gui.compat import QT_TRANSLATE_NOOP
 
 
-class Command(BaseCommand):
+class Command(ResultCommand):
     """Open the panel that follows the picks."""
 
     name = "GPS_Query"
@@ -17,11 +17,6 @@ class Command(BaseCommand):
         "Click a face: its class, situation feature, intrinsic values, agreement and ranking",
     )
     shortcut = "G, Q"
-
-    def IsActive(self) -> bool:
-        from gpswb.gui.selection import with_result
-
-        return with_result() is not None
 
     def run(self) -> None:
         from gpswb.gui.panels.query import QueryPanel

@@ -7,11 +7,11 @@ from pathlib import Path
 
 import FreeCAD
 
-from gpswb.gui.commands.command import BaseCommand
+from gpswb.gui.commands.command import ResultCommand
 from gpswb.gui.compat import QT_TRANSLATE_NOOP, QtCore, QtGui
 
 
-class Command(BaseCommand):
+class Command(ResultCommand):
     """Write the report beside the document, and open it."""
 
     name = "GPS_Report"
@@ -20,11 +20,6 @@ class Command(BaseCommand):
         "GPS_Report", "Write the report (one page, no network) and open it in the browser"
     )
     shortcut = "G, R"
-
-    def IsActive(self) -> bool:
-        from gpswb.gui.selection import with_result
-
-        return with_result() is not None
 
     def run(self) -> None:
         from gpswb.gui.exports import export

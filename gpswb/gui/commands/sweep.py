@@ -5,8 +5,9 @@ from __future__ import annotations
 
 import FreeCADGui
 
+from gpswb.cad.freecad_measured import is_measurement
 from gpswb.gui.commands.command import BaseCommand
-from gpswb.gui.compat import QT_TRANSLATE_NOOP
+from gpswb.gui.compat import QT_TRANSLATE_NOOP, translate
 
 
 class Command(BaseCommand):
@@ -19,10 +20,17 @@ class Command(BaseCommand):
     )
     shortcut = "G, S"
 
-    def IsActive(self) -> bool:
+    def why_not(self) -> str:
         from gpswb.gui.selection import chosen_part
 
-        return not FreeCADGui.Control.activeDialog() and chosen_part() is not None
+        part = chosen_part()
+        if part is None:
+            return str(translate("GPS", "select a part"))
+        if is_measurement(part):
+            return str(translate("GPS", "a mesh has no CAD faces"))
+        if FreeCADGui.Control.activeDialog():
+            return str(translate("GPS", "a task panel is open: close it first"))
+        return ""
 
     def run(self) -> None:
         from gpswb.gui.panels.show import show_panel

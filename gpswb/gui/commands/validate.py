@@ -3,11 +3,11 @@
 
 from __future__ import annotations
 
-from gpswb.gui.commands.command import BaseCommand
+from gpswb.gui.commands.command import ResultCommand
 from gpswb.gui.compat import QT_TRANSLATE_NOOP
 
 
-class Command(BaseCommand):
+class Command(ResultCommand):
     """Open the panel with the figures and the faces that disagree."""
 
     name = "GPS_Validate"
@@ -16,11 +16,7 @@ class Command(BaseCommand):
         "GPS_Validate", "Compare the recognised classes with those of the CAD surfaces"
     )
     shortcut = "G, V"
-
-    def IsActive(self) -> bool:
-        from gpswb.gui.selection import with_result
-
-        return with_result() is not None
+    faces = True
 
     def run(self) -> None:
         from gpswb.gui.panels.show import show_panel

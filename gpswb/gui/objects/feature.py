@@ -8,11 +8,15 @@ from collections import Counter
 from collections.abc import Iterator, Mapping
 from typing import Any
 
+import numpy as np
+
+from gpswb.core.mesh import FloatArray
 from gpswb.core.partition import Region
 from gpswb.gui import compat, preferences
 from gpswb.gui.objects.situation_shape import situation_shape
 from gpswb.gui.objects.stateless import Stateless
 from gpswb.io.stored_result import StoredResult
+from gpswb.validation.face_result import faces_and_bodies
 
 _PROPERTIES = (
     ("App::PropertyString", "Class", "GPS", "Invariance class"),
@@ -68,18 +72,18 @@ def features(partition: Any) -> list[Any]:
 def sync_features(partition: Any, stored: StoredResult) -> Iterator[None]:
     """Make a partition's features those of a result; a slice a feature, iterate to the end."""
     document = partition.Document
-    on_region: dict[int, list[str]] = {}
-    for face in stored.faces:
-        for main in face.regions[:1]:
-            on_region.setdefault(main, []).append(face.name)
+    on_region, _ = faces_and_bodies(stored.faces)
     regions = [region for region in stored.partition.regions if region.id in on_region]
+    with_faces = bool(stored.document["faces"])
     old = features(partition)
     count: Counter[str] = Counter()
     made: list[Any] = []
     for i, region in enumerate(sorted(regions, key=lambda r: -r.area)):
         obj = old[i] if i < len(old) else _new(document)
         count[region.surface] += 1
-        _fill(obj, partition.Source, region, on_region[region.id])
+        _fill(obj, region)
+        obj.Faces = [(partition.Source, tuple(on_region[region.id]))] if with_faces else []
+        obj.Shape = situation_shape(region, _vertices(stored, region))
         word = compat.translate("GPS", region.surface).capitalize()
         obj.Label = f"{word} {count[region.surface]}"
         obj.purgeTouched()
@@ -109,10 +113,17 @@ def animate(obj: Any) -> None:
         FeatureView(obj.ViewObject)
 
 
-def _fill(obj: Any, source: Any, region: Region, faces: list[str]) -> None:
+def _vertices(stored: StoredResult, region: Region) -> FloatArray:
+    """(n, 3) vertices of the mesh in a region."""
+    facets = stored.partition.region == stored.partition.regions.index(region)
+    mesh = stored.solid.mesh
+    found: FloatArray = mesh.vertices[np.unique(mesh.triangles[facets])]
+    return found
+
+
+def _fill(obj: Any, region: Region) -> None:
     obj.Class = region.invariance_class
     obj.Surface = region.surface
-    obj.Faces = [(source, tuple(faces))]
     obj.Area = region.area
     obj.Undecided = " ".join(region.undecided)
     obj.Region = region.id
@@ -121,7 +132,6 @@ def _fill(obj: Any, source: Any, region: Region, faces: list[str]) -> None:
     obj.LogLikelihood = json.dumps({name: round(value, 3) for name, value in ranking})
     _set_optional(obj, _SITUATION, region.situation)
     _set_optional(obj, _INTRINSIC, region.intrinsic)
-    obj.Shape = situation_shape(region, [source.Shape.getElement(name) for name in faces])
 
 
 def _set_optional(

@@ -16,19 +16,24 @@ from pathlib import Path
 from typing import Any
 
 from gpswb.cad.density import Density
+from gpswb.cad.freecad_measured import is_measurement
 from gpswb.core.invariance import InvarianceClass
 from gpswb.errors import GpswbError, InputError
 from gpswb.gui import compat, preferences
-from gpswb.gui.fingerprint import shape_fingerprint
+from gpswb.gui.fingerprint import fingerprint
+from gpswb.gui.measured_changes import follow_measurements
 from gpswb.gui.objects.annotation import animate as animate_annotation
 from gpswb.gui.objects.feature import animate as animate_feature
 from gpswb.gui.objects.feature import sync_features
 from gpswb.gui.objects.stateless import Stateless
 from gpswb.gui.overrides import Action, apply_overrides, from_json, override_on, to_json
+from gpswb.gui.pieces import with_pieces
 from gpswb.gui.runs import Run
 from gpswb.io.stored_result import StoredResult, read_stored_result
 
 NOT_RUN, CURRENT, STALE, FAILED = "not run", "up to date", "stale", "failed"
+AS_READ = "as read"
+"""Density of what was measured."""
 STATUSES = (NOT_RUN, CURRENT, STALE, FAILED)
 
 _PROPERTIES = (
@@ -50,6 +55,8 @@ _PROPERTIES = (
     ("App::PropertyString", "Overrides", "Data", 2, "What the user knows better, JSON"),
     ("App::PropertyString", "RunKey", "Data", 2, "Fingerprint of part and settings of the result"),
 )
+_OF_FACES = ("AreaAccuracy", "FaceAccuracy", "Datums", "DatumSystem")
+"""Properties that say nothing of a part without faces."""
 
 
 class PartitionProxy(Stateless):
@@ -61,6 +68,7 @@ class PartitionProxy(Stateless):
         obj.Proxy = self
         compat.add_group(obj)
         _add_properties(obj)
+        follow_measurements()
 
     def execute(self, obj: Any) -> None:
         """Recompute what is quick, mark as stale what is not."""
@@ -84,6 +92,7 @@ class PartitionProxy(Stateless):
     def onDocumentRestored(self, obj: Any) -> None:
         """Give documents of older versions the properties that came later."""
         _add_properties(obj)
+        follow_measurements()
 
 
 def _add_properties(obj: Any) -> None:
@@ -132,16 +141,17 @@ def make_partition(source: Any, density: str = "", mode: str = "", *, compute: b
     """Add a partition of ``source`` to its document.
 
     Args:
-        source: a document object with a shape that has faces.
-        density, mode: as on the command line; the preferences' if not given.
+        source: a document object with a shape that has faces, a mesh or points.
+        density, mode: as on the command line; the preferences' if not given. What was measured is
+            taken as it is: its density is `AS_READ`.
         compute: run it, and wait; otherwise it stays `NOT_RUN` until `run`.
 
     Raises:
-        InputError: the source has no faces, or the density isn't valid.
+        InputError: the source has nothing to partition, or the density isn't valid.
         GpswbError: the run failed; the document is as it was.
     """
     source = usable_source(source)
-    density = density or preferences.default_density()
+    density = AS_READ if is_measurement(source) else density or preferences.default_density()
     check_density(density)
     obj = source.Document.addObject("App::FeaturePython", "GpsPartition")
     try:
@@ -165,18 +175,24 @@ def usable_source(source: Any) -> Any:
     """The object to link to: of a feature within a body the body.
 
     Raises:
-        InputError: it has no shape with faces.
+        InputError: it has no shape with faces, no mesh and no points.
     """
     parent = source.getParentGeoFeatureGroup()
     if parent is not None and parent.isDerivedFrom("PartDesign::Body"):
         source = parent
-    if not getattr(getattr(source, "Shape", None), "Faces", None):
+    if is_measurement(source):
+        mesh = source.isDerivedFrom("Mesh::Feature")
+        if not (source.Mesh.CountFacets if mesh else source.Points.CountPoints):
+            raise InputError(f"{source.Label} is empty")
+    elif not getattr(getattr(source, "Shape", None), "Faces", None):
         raise InputError(f"{source.Label} has no faces to partition")
     return source
 
 
 def check_density(text: str) -> None:
     """Raise InputError where a density isn't valid."""
+    if text == AS_READ:
+        return
     try:
         Density.parse(text)
     except ValueError as error:
@@ -189,8 +205,10 @@ def start_run(source: Any, density: str, mode: str) -> Run:
     Raises:
         InputError: the density isn't valid.
     """
+    if is_measurement(source):
+        return Run("partition_measurement", source, mode)
     check_density(density)
-    return Run("partition_shape", source.Shape, source.Label, density, mode)
+    return Run("partition_shape", source, density, mode)
 
 
 def finish_run(obj: Any, document: dict[str, Any], labels: Path) -> Iterator[None]:
@@ -210,6 +228,8 @@ def show_result(obj: Any) -> Iterator[None]:
     obj.Triangles = document["mesh"]["triangles"]
     obj.Regions = len(document["regions"])
     judged = document["validation"] or {}
+    for name in _OF_FACES:
+        obj.setEditorMode(name, 1 if document["faces"] else 2)
     obj.AreaAccuracy = judged.get("area_accuracy") or 0.0
     obj.FaceAccuracy = judged.get("face_accuracy") or 0.0
     obj.Message = "; ".join([*document["notes"], *notes])
@@ -237,13 +257,13 @@ def run(obj: Any) -> None:
 
 
 def run_key(obj: Any) -> str:
-    """What the result depends on: density, mode and the shape's fingerprint."""
-    shape = shape_fingerprint(obj.Source.Shape) if obj.Source else "none"
-    return f"{obj.Density} {obj.Mode} {shape}"
+    """What the result depends on: density, mode and the part's fingerprint."""
+    part = fingerprint(obj.Source) if obj.Source else "none"
+    return f"{obj.Density} {obj.Mode} {part}"
 
 
 def stored_result(obj: Any) -> StoredResult:
-    """What the run found, from the mesh alone.
+    """What the run found, from the mesh alone; see `with_pieces` for a measured part.
 
     Raises:
         InputError: there is none yet, or it is damaged.
@@ -256,7 +276,7 @@ def stored_result(obj: Any) -> StoredResult:
             document = json.loads(obj.Result)
         except ValueError as error:
             raise InputError(f"the result of {obj.Label} is damaged ({error})") from None
-        known = hash(obj.Result), read_stored_result(document, Path(obj.Labels))
+        known = hash(obj.Result), with_pieces(read_stored_result(document, Path(obj.Labels)))
         _read.clear()
         _read[obj.Labels] = known
     return known[1]

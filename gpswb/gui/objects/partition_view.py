@@ -5,19 +5,23 @@ from __future__ import annotations
 
 from typing import Any
 
+import numpy as np
 from pivy import coin
 
+from gpswb.cad.freecad_measured import is_measurement
 from gpswb.errors import GpswbError
 from gpswb.gui import compat, preferences
 from gpswb.gui.colouring import COLOUR_BY, Colouring, colouring
 from gpswb.gui.compat import QtCore
-from gpswb.gui.facet_nodes import facet_nodes
+from gpswb.gui.facet_scene import FacetScene
+from gpswb.gui.facet_selection import follow_selection
 from gpswb.gui.icons import icon
 from gpswb.gui.objects.annotation import annotations_of
 from gpswb.gui.objects.feature import features
 from gpswb.gui.objects.partition import STALE, effective_result, partitions, stored_datums
 from gpswb.gui.objects.stateless import Stateless
 from gpswb.gui.panels.legend import refresh_legend
+from gpswb.gui.selection import chosen_faces
 from gpswb.gui.source_colours import restore_colours, show_colours, watch
 
 FACES, FACETS = "Faces", "Facets"
@@ -30,7 +34,6 @@ class PartitionView(Stateless):
         _add_properties(view)
         compat.add_group_view(view)
         view.Proxy = self
-        watch()
 
     def attach(self, view: Any) -> None:
         """Make a place for the mesh.
@@ -38,8 +41,10 @@ class PartitionView(Stateless):
         It is no display mode: a group that has one shows all its members anew at every change.
         """
         watch()
+        follow_selection()
         self.obj = view.Object
         self.mesh = coin.SoSeparator()
+        self.scene: FacetScene | None = None
         self.found: Colouring | None = None
         view.RootNode.addChild(self.mesh)
 
@@ -63,24 +68,40 @@ class PartitionView(Stateless):
         if view.Object.Document.Restoring:
             return
         found = _colours_of(view) if view.Visibility else None
-        self.found = found
+        self.found, self.scene = found, None
         self.mesh.removeAllChildren()
         QtCore.QTimer.singleShot(0, refresh_legend)
         if found is None:
-            restore_colours(view)
-            _show_source(view, True)
+            self.give_back(view)
             return
         for other in partitions(view.Object.Document):
             if other is not view.Object and other.Source is view.Object.Source:
                 other.ViewObject.Visibility = False
-        if view.Elements == FACETS:
+        if view.Elements == FACETS or is_measurement(view.Object.Source):
             restore_colours(view)
-            mesh = effective_result(view.Object)[0].solid.mesh
-            self.mesh.addChild(facet_nodes(mesh, found.facet_colours))
+            self.scene = FacetScene(effective_result(view.Object)[0].solid.mesh, found)
+            self.mesh.addChild(self.scene.root)
+            self.highlight()
             _show_source(view, False)
         else:
             show_colours(view, found.face_colours)
             _show_source(view, True)
+
+    def give_back(self, view: Any) -> None:
+        """Leave the source as the user has it: its colours, and in sight."""
+        restore_colours(view)
+        _show_source(view, True)
+
+    def highlight(self) -> None:
+        """Show the facets of the chosen faces as FreeCAD shows what is selected."""
+        if self.scene is None:
+            return
+        stored, _ = effective_result(self.obj)
+        facemap = stored.solid.facemap
+        assert facemap is not None
+        chosen = set(chosen_faces(self.obj))
+        marked = np.array([face.name in chosen for face in facemap.faces] + [False])
+        self.scene.highlight(marked[facemap.face_of_triangle])
 
     def getElementPicked(self, picked: Any) -> str:
         """Name of the face that a facet of the shown mesh came from."""
@@ -88,13 +109,12 @@ class PartitionView(Stateless):
         facemap = effective_result(self.obj)[0].solid.facemap
         if facemap is None or not detail.isOfType(coin.SoFaceDetail.getClassTypeId()):
             return ""
-        facet = coin.cast(detail, "SoFaceDetail").getFaceIndex()
-        return f"Face{facemap.face_of_triangle[facet] + 1}"
+        face = facemap.face_of_triangle[coin.cast(detail, "SoFaceDetail").getFaceIndex()]
+        return facemap.faces[face].name if face >= 0 else ""
 
     def onDelete(self, view: Any, subelements: Any) -> bool:
         """Give the user's colours back and take the features along."""
-        restore_colours(view)
-        _show_source(view, True)
+        self.give_back(view)
         for feature in [*features(view.Object), *annotations_of(view.Object)]:
             view.Object.Document.removeObject(feature.Name)
         return True
@@ -118,7 +138,7 @@ def _colours_of(view: Any) -> Colouring | None:
     obj = view.Object
     if not obj.Result or obj.Source is None:
         return None
-    if len(obj.Classes) != len(obj.Source.Shape.Faces):
+    if not is_measurement(obj.Source) and len(obj.Classes) != len(obj.Source.Shape.Faces):
         return None
     try:
         stored, _ = effective_result(obj)

@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -17,18 +16,15 @@ OVERHANG = 0.15
 """An axis stands out at both ends by this fraction of its feature's extent, as on a drawing."""
 PLANE = 0.12
 """Side of the square that stands for a plane, of its feature's extent."""
-_ON_EDGE = 5
-"""Points on each edge that the extent is taken from."""
 
 
-def situation_shape(region: Region, faces: Sequence[Any]) -> Any:
+def situation_shape(region: Region, points: FloatArray) -> Any:
     """A FreeCAD shape: edges and vertices only.
 
     Args:
         region: the region.
-        faces: its faces as FreeCAD shapes, for how far the geometry reaches.
+        points: (n, 3) its vertices, for how far the geometry reaches.
     """
-    points = _points(faces)
     size = float(np.linalg.norm(np.ptp(points, axis=0))) or 1.0
     point = np.array(region.situation.get("point", points.mean(axis=0)))
     if region.invariance_class == "planar":
@@ -45,21 +41,6 @@ def situation_shape(region: Region, faces: Sequence[Any]) -> Any:
     if region.invariance_class == "revolute" and low <= 0.0 <= high:
         return Part.makeCompound([line, _cross(point, 0.05 * size)])
     return line
-
-
-def _points(faces: Sequence[Any]) -> FloatArray:
-    """(n, 3) points on the edges of the faces, or of their boxes where they have none."""
-    found = [
-        tuple(point)
-        for face in faces
-        for edge in face.Edges
-        if not edge.Degenerated
-        for point in edge.discretize(_ON_EDGE)
-    ]
-    if not found:
-        boxes = [face.BoundBox for face in faces]
-        found = [tuple(box.getPoint(corner)) for box in boxes for corner in range(8)]
-    return np.array(found)
 
 
 def _plane(points: FloatArray, normal: FloatArray) -> Any:

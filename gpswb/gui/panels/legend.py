@@ -11,6 +11,7 @@ import FreeCADGui
 from gpswb.gui import compat
 from gpswb.gui.colouring import Colouring
 from gpswb.gui.compat import QtCore, QtGui, QtWidgets, translate
+from gpswb.gui.objects.partition import effective_result
 from gpswb.gui.selection import chosen_partition, select_faces
 
 _OUTER, _INNER = 0.95, 0.45
@@ -131,8 +132,9 @@ class Legend(QtWidgets.QDockWidget):
         """Select the faces of a colour."""
         partition = chosen_partition()
         if partition is not None and self.wheel.found is not None:
+            faces = effective_result(partition)[0].faces
             chosen = (self.wheel.found.of_face == label).nonzero()[0]
-            select_faces(partition, [f"Face{i + 1}" for i in chosen])
+            select_faces(partition, [faces[i].name for i in chosen])
 
 
 def show_legend() -> Legend:

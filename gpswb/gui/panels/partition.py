@@ -8,10 +8,12 @@ from typing import Any
 import FreeCAD
 import FreeCADGui
 
+from gpswb.cad.freecad_measured import is_measurement
 from gpswb.errors import GpswbError, InputError
 from gpswb.gui import compat, preferences
 from gpswb.gui.compat import QT_TRANSLATE_NOOP, QtCore, QtWidgets, translate
 from gpswb.gui.objects.partition import (
+    AS_READ,
     check_density,
     finish_run,
     make_partition,
@@ -108,7 +110,9 @@ class PartitionPanel:
         self.part = QtWidgets.QLabel()
         self.part.setWordWrap(True)
         self.density = DensityWidget(
-            partition.Density if partition else preferences.default_density()
+            partition.Density
+            if partition and partition.Density != AS_READ
+            else preferences.default_density()
         )
         self.mode = QtWidgets.QComboBox()
         let_shrink(self.mode)
@@ -141,8 +145,8 @@ class PartitionPanel:
         if self.source is None:
             self.part.setText(translate("GPS", "click a part in the 3-D view or the tree"))
         else:
-            faces = translate("GPS", "{} faces").format(len(self.source.Shape.Faces))
-            self.part.setText(f"<b>{_plain(self.source.Label)}</b>, {faces}")
+            self.part.setText(f"<b>{_plain(self.source.Label)}</b>, {_size(self.source)}")
+            self.density.setEnabled(not is_measurement(self.source))
         if hasattr(self, "button"):
             self.button.setEnabled(self.source is not None)
         self._density_changed()
@@ -151,6 +155,9 @@ class PartitionPanel:
 
     def _density_changed(self) -> None:
         self._stop_count()
+        if self.source is not None and is_measurement(self.source):
+            self.count.setText(translate("GPS", "as measured"))
+            return
         self.count.setText("…" if self.source is not None else "")
         if self.source is not None and hasattr(self, "_timer"):
             self._timer.start(_COUNT_DELAY_MS)
@@ -158,9 +165,7 @@ class PartitionPanel:
     def _start_count(self) -> None:
         try:
             check_density(self.density.density())
-            run = Run(
-                "count_triangles", self.source.Shape, self.source.Label, self.density.density()
-            )
+            run = Run("count_triangles", self.source, self.density.density())
         except GpswbError as error:
             self.count.setText(str(error))
             return
@@ -218,7 +223,9 @@ class PartitionPanel:
                 )
             else:
                 obj = self.partition
-                obj.Density, obj.Mode = self.density.density(), self.mode.currentData()
+                if obj.Density != AS_READ:
+                    obj.Density = self.density.density()
+                obj.Mode = self.mode.currentData()
         except GpswbError as error:
             self._failed(str(error))
             return
@@ -259,6 +266,17 @@ class PartitionPanel:
         if self._run is not None:
             self._run.close()
         self._run = self.watch = None
+
+
+def _size(source: Any) -> str:
+    """How many faces, triangles or points a part has."""
+    if source.isDerivedFrom("Mesh::Feature"):
+        text, count = translate("GPS", "{} triangles"), source.Mesh.CountFacets
+    elif source.isDerivedFrom("Points::Feature"):
+        text, count = translate("GPS", "{} points"), source.Points.CountPoints
+    else:
+        text, count = translate("GPS", "{} faces"), len(source.Shape.Faces)
+    return str(text.format(f"{count:,}".replace(",", "\u202f")))
 
 
 def _plain(text: str) -> str:

@@ -84,7 +84,7 @@ class SweepPanel:
                 raise InputError(translate("GPS", "no density is given"))
             for text in densities:
                 check_density(text)
-            run = Run("sweep_densities", self.source.Shape, self.source.Label, densities, "robust")
+            run = Run("sweep_densities", self.source, densities, "robust")
         except GpswbError as error:
             self.message.setText(str(error))
             return

@@ -456,6 +456,14 @@
       <translation type="unfinished" />
     </message>
     <message>
+      <source>a mesh has no CAD faces</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>a task panel is open: close it first</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <source>agreement with CAD</source>
       <translation type="unfinished" />
     </message>
@@ -469,6 +477,10 @@
     </message>
     <message>
       <source>angularity</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>as measured</source>
       <translation type="unfinished" />
     </message>
     <message>
@@ -612,6 +624,10 @@
       <translation type="unfinished" />
     </message>
     <message>
+      <source>partition a part first, or select one of the partitions</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <source>perpendicularity</source>
       <translation type="unfinished" />
     </message>
@@ -688,6 +704,10 @@
       <translation type="unfinished" />
     </message>
     <message>
+      <source>select a part</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <source>shape type</source>
       <translation type="unfinished" />
     </message>
@@ -736,6 +756,10 @@
       <translation type="unfinished" />
     </message>
     <message>
+      <source>there is no part: import one</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <source>torus</source>
       <translation type="unfinished" />
     </message>
@@ -761,6 +785,14 @@
     </message>
     <message>
       <source>{} of {} features, in {} regions</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>{} points</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>{} triangles</source>
       <translation type="unfinished" />
     </message>
   </context>
@@ -888,7 +920,7 @@
   <context>
     <name>GPS_Import</name>
     <message>
-      <source>Bring a STEP or BREP part into the document</source>
+      <source>Bring a part into the document: STEP, BREP, mesh or points</source>
       <translation type="unfinished" />
     </message>
     <message>

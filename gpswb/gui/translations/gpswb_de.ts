@@ -456,6 +456,14 @@
       <translation>Zone</translation>
     </message>
     <message>
+      <source>a mesh has no CAD faces</source>
+      <translation>ein Netz hat keine CAD-Flächen</translation>
+    </message>
+    <message>
+      <source>a task panel is open: close it first</source>
+      <translation>ein Aufgabenfenster ist offen: erst schließen</translation>
+    </message>
+    <message>
       <source>agreement with CAD</source>
       <translation>Übereinstimmung mit CAD</translation>
     </message>
@@ -470,6 +478,10 @@
     <message>
       <source>angularity</source>
       <translation>Neigung</translation>
+    </message>
+    <message>
+      <source>as measured</source>
+      <translation>wie gemessen</translation>
     </message>
     <message>
       <source>circular run-out</source>
@@ -612,6 +624,10 @@
       <translation>Parallelität</translation>
     </message>
     <message>
+      <source>partition a part first, or select one of the partitions</source>
+      <translation>erst ein Teil partitionieren, oder eine der Partitionen auswählen</translation>
+    </message>
+    <message>
       <source>perpendicularity</source>
       <translation>Rechtwinkligkeit</translation>
     </message>
@@ -688,6 +704,10 @@
       <translation>Sattelrinne</translation>
     </message>
     <message>
+      <source>select a part</source>
+      <translation>ein Teil auswählen</translation>
+    </message>
+    <message>
       <source>shape type</source>
       <translation>Formtyp</translation>
     </message>
@@ -736,6 +756,10 @@
       <translation>die CAD-Klasse ist strittig</translation>
     </message>
     <message>
+      <source>there is no part: import one</source>
+      <translation>es ist kein Teil da: eines importieren</translation>
+    </message>
+    <message>
       <source>torus</source>
       <translation>Torus</translation>
     </message>
@@ -762,6 +786,14 @@
     <message>
       <source>{} of {} features, in {} regions</source>
       <translation>{} von {} Geometrieelementen, in {} Regionen</translation>
+    </message>
+    <message>
+      <source>{} points</source>
+      <translation>{} Punkte</translation>
+    </message>
+    <message>
+      <source>{} triangles</source>
+      <translation>{} Dreiecke</translation>
     </message>
   </context>
   <context>
@@ -888,8 +920,8 @@
   <context>
     <name>GPS_Import</name>
     <message>
-      <source>Bring a STEP or BREP part into the document</source>
-      <translation>Ein STEP- oder BREP-Teil ins Dokument holen</translation>
+      <source>Bring a part into the document: STEP, BREP, mesh or points</source>
+      <translation>Ein Teil ins Dokument holen: STEP, BREP, Netz oder Punkte</translation>
     </message>
     <message>
       <source>Import part</source>

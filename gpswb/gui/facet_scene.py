@@ -1,0 +1,78 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A mesh with a colour a facet, as nodes of FreeCAD's scene graph."""
+
+from __future__ import annotations
+
+import numpy as np
+from pivy import coin
+
+from gpswb.core.mesh import BoolArray, Mesh
+from gpswb.gui import compat
+from gpswb.gui.colouring import Colouring
+
+EDGES = 0.01
+"""Facets have dark edges if these are longer than this, of the part's diagonal: in a view that fits
+the part shorter ones are a few pixels long, and would cover the colours."""
+
+
+class FacetScene:
+    """The nodes, below ``root``.
+
+    Args:
+        mesh: the mesh, mm.
+        colours: those of its facets.
+    """
+
+    def __init__(self, mesh: Mesh, colours: Colouring) -> None:
+        self.root = coin.SoSeparator()
+        self._faces = coin.SoIndexedFaceSet()
+        self._marked = np.zeros(len(mesh.triangles), dtype=bool)
+        # Each colour once, and an index a facet. The colour of the label -1 is the last of the
+        # palette; that of what is selected stands behind it.
+        last = len(colours.palette) - 1
+        self._index = np.where(colours.of_facet < 0, last, colours.of_facet)
+        self._selected = last + 1
+        shading = coin.SoShapeHints()
+        shading.vertexOrdering = coin.SoShapeHints.COUNTERCLOCKWISE
+        shading.creaseAngle = 0.0  # facets are what is to be seen
+        material = coin.SoMaterial()
+        shades = [*colours.palette.tolist(), list(compat.selection_colour())]
+        material.diffuseColor.setValues(0, len(shades), shades)
+        binding = coin.SoMaterialBinding()
+        binding.value = coin.SoMaterialBinding.PER_FACE_INDEXED
+        points = coin.SoCoordinate3()
+        points.point.setValues(0, len(mesh.vertices), mesh.vertices.astype(np.float32))
+        corners = np.full((len(mesh.triangles), 4), -1)
+        corners[:, :3] = mesh.triangles
+        self._faces.coordIndex.setValues(0, corners.size, corners.ravel().tolist())
+        self._faces.materialIndex.setValues(0, len(self._index), self._index.tolist())
+        # The facets lie a little behind their own edges, which are drawn over them.
+        behind, filled = coin.SoPolygonOffset(), coin.SoSeparator()
+        for node in (behind, shading, material, binding, self._faces):
+            filled.addChild(node)
+        dark, flat, outline = coin.SoBaseColor(), coin.SoLightModel(), coin.SoDrawStyle()
+        dark.rgb.setValue(0.1, 0.1, 0.1)
+        flat.model = coin.SoLightModel.BASE_COLOR
+        outline.style = coin.SoDrawStyle.LINES
+        edges, wire = coin.SoIndexedFaceSet(), coin.SoSeparator()
+        edges.coordIndex.connectFrom(self._faces.coordIndex)
+        for node in (dark, flat, outline, edges):
+            wire.addChild(node)
+        self.root.addChild(points)
+        self.root.addChild(filled)
+        if _typical_edge(mesh) > EDGES * mesh.diagonal:
+            self.root.addChild(wire)
+
+    def highlight(self, marked: BoolArray) -> None:
+        """Give the facets where (m,) ``marked`` is true the colour of what is selected."""
+        if np.array_equal(marked, self._marked):
+            return
+        self._marked = marked
+        index = np.where(marked, self._selected, self._index)
+        self._faces.materialIndex.setValues(0, len(index), index.tolist())
+
+
+def _typical_edge(mesh: Mesh) -> float:
+    """Median of the lengths of a side of each facet, mm."""
+    a, b = mesh.vertices[mesh.triangles[:, 0]], mesh.vertices[mesh.triangles[:, 1]]
+    return float(np.median(np.linalg.norm(b - a, axis=1)))
