@@ -53,11 +53,42 @@ def show():
     settle(3.0)  # the panel grows with its text, by and by
     picture("query")
     shown_panel().reject()
+    annotate(partition)
+    FreeCADGui.runCommand("GPS_Frames", 0)
     FreeCADGui.Selection.clearSelection()
+    settle(1.0)
+    picture("annotations")
+    for annotation in partition.Group:
+        annotation.ViewObject.Visibility = False
     partition.ViewObject.Elements = "Facets"
     partition.ViewObject.ColourBy = "shape type"
     settle()
     picture("mesh")
+
+
+def annotate(partition):
+    """Datums of the base, its side and the bore; what the bracket's drawing might say."""
+    from gpswb.gui.datums import set_datums
+    from gpswb.gui.objects.partition import effective_result
+    from gpswb.gui.part_features import features_of
+    from gpswb.gui.specifications import add_specification
+
+    table = features_of(effective_result(partition)[0])
+    faces = {feature.name: list(feature.faces) for feature in table.features}
+    set_datums(partition, [("A", ["Face31"]), ("B", ["Face22"]), ("C", faces["Hole 1"])])
+    for name, *words in (
+        ("Plane 1", "flatness", 0.05),
+        ("Plane 3", "perpendicularity", 0.1, "A"),
+        ("Hole 1", "position", 0.1, "A|B"),
+        ("Shaft 1", "circular run-out", 0.04, "C"),
+        ("Convex radius 1", "surface profile", "?", "A|B|C"),
+        ("Cone 1", "circular run-out", 0.08, "C"),
+    ):
+        add_specification(partition, faces[name], *words)
+    holes, slot = faces["Hole pattern 1"], faces["Slot 2"]
+    add_specification(partition, holes, "position", 0.2, "A|B|C", modifiers="M")
+    add_specification(partition, slot, "size", "", upper=0.1, lower=-0.05)
+    add_specification(partition, faces["Hole 1"], "size", "", fit="H7")
 
 
 start(show)

@@ -10,8 +10,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
+import FreeCAD
 import numpy as np
 
+from gpswb.core.mesh import FloatArray
 from gpswb.errors import GpswbError, InputError
 from gpswb.gps.annotation import Annotation, annotate
 from gpswb.gps.datum_system import datum_system
@@ -21,7 +23,8 @@ from gpswb.gps.specifications import permitted_specifications
 from gpswb.gps.specified import GeometricalTolerance, Specified, specify
 from gpswb.gui.annotation_record import DatumRecord, SystemRecord
 from gpswb.gui.annotation_rows import UNPLACED, choice_of, faces_now, row_of
-from gpswb.gui.frame_places import MARK, anchor_on, frame_places
+from gpswb.gui.frame_axes import axes_of, placement_of
+from gpswb.gui.frame_places import MARK, FrameView, anchor_on, first_view, frame_places
 from gpswb.gui.objects.annotation import annotations_of, record_of
 from gpswb.gui.objects.partition import effective_result
 from gpswb.gui.part_features import features_of
@@ -62,7 +65,7 @@ def refresh_annotations(partition: Any, without: Any = None) -> None:
     for obj in objects:
         if obj.Status != UNPLACED:
             _describe(obj, stored, annotation)
-    _place(stored, [obj for obj in objects if obj.Cells])
+    _place(partition, stored, [obj for obj in objects if obj.Cells])
     for obj in objects:
         obj.purgeTouched()
 
@@ -118,21 +121,46 @@ def _judged(said: Specified, table: FeatureTable) -> tuple[str, str]:
     return row.status, row.reason
 
 
-def _place(stored: StoredResult, objects: Sequence[Any]) -> None:
+def place_frames(partition: Any, rotation: Any, row: float, height: float) -> None:
+    """Lay all frames of a partition out for a view, those moved by hand too.
+
+    Args:
+        rotation: of the view's camera.
+        row: of a frame with its gap in that view, mm.
+        height: of what the view shows, mm.
+    """
+    partition.FrameView = FreeCAD.Placement(FreeCAD.Vector(), rotation)
+    partition.FrameRow, partition.FrameHeight = row, height
+    for obj in annotations_of(partition):
+        obj.Kept = False
+    refresh_annotations(partition)
+
+
+def _place(partition: Any, stored: StoredResult, objects: Sequence[Any]) -> None:
     """Spread the frames beside the part."""
     index = {face.name: i for i, face in enumerate(stored.faces)}
-    taken: list[Any] = []
+    diagonal = stored.solid.mesh.diagonal
+    view = first_view(diagonal)
+    if partition.FrameRow > 0:
+        view = FrameView(axes_of(partition.FrameView), partition.FrameRow, partition.FrameHeight)
+    taken: list[FloatArray] = []
     for obj in objects:
         faces = [index[name] for _, names in obj.Faces for name in names]
-        point, normal = anchor_on(stored, faces, taken)
+        point, normal = anchor_on(stored, faces, taken, view.axes[2])
         taken.append(point)
+        if obj.Kept:
+            obj.Place = obj.Place - obj.Anchor + FreeCAD.Vector(*point)
         obj.Anchor, obj.Normal = tuple(point.tolist()), tuple(normal.tolist())
-    if objects:
+        obj.Mark = MARK * diagonal
+    free = [i for i, obj in enumerate(objects) if not obj.Kept]
+    if free:
         vertices = stored.solid.mesh.vertices
         corners = np.array([vertices.min(axis=0), vertices.max(axis=0)])
-        for obj, place in zip(objects, frame_places(np.array(taken), corners), strict=True):
-            obj.Mark = MARK * stored.solid.mesh.diagonal
-            obj.Place = tuple(place.tolist())
+        kept = np.array([tuple(obj.Place) for obj in objects if obj.Kept]).reshape(-1, 3)
+        places = frame_places(np.array(taken)[free], corners, view, kept)
+        for i, place in zip(free, places, strict=True):
+            objects[i].View = placement_of(view.axes)
+            objects[i].Place = tuple(place.tolist())
 
 
 def _clear(obj: Any) -> None:

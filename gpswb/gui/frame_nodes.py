@@ -14,7 +14,6 @@ import numpy as np
 from pivy import coin
 
 from gpswb.core.mesh import FloatArray
-from gpswb.gui.frame_places import RIGHT, TOWARDS
 
 _LIFT = 0.002
 """Terminators stand off the surface by this fraction of the leader, or facets would hide them."""
@@ -23,7 +22,12 @@ _HIDDEN = 0xCCCC
 
 
 def frame_nodes(
-    picture: Any, anchor: FloatArray, normal: FloatArray, place: FloatArray, mark: float
+    picture: Any,
+    anchor: FloatArray,
+    normal: FloatArray,
+    place: FloatArray,
+    mark: float,
+    axes: FloatArray,
 ) -> Any:
     """A separator with frame and leader, left out of the scene's extent.
 
@@ -32,15 +36,17 @@ def frame_nodes(
         anchor, normal: (3,) end of the leader on the part, mm, and outward direction there.
         place: (3,) where the frame stands.
         mark: height of the triangle that the leader ends in, mm; 0 for a dot.
+        axes: (3, 3) rows: right, up and towards the user in the view that this is laid out for.
     """
+    right, _, towards = axes
     length = float(np.linalg.norm(place - anchor))
     end = anchor + _LIFT * length * normal
     start = end
     triangle = None
     if mark:
-        across = np.cross(normal, TOWARDS)
+        across = np.cross(normal, towards)
         if np.linalg.norm(across) < 0.1:
-            across = RIGHT
+            across = right
         across = across / np.linalg.norm(across) * mark * 0.6
         start = end + mark * normal
         triangle = np.array([end - across, end + across, start])
@@ -58,7 +64,7 @@ def frame_nodes(
     before = coin.SoAnnotation()
     before.addChild(_ink())
     before.addChild(hidden)
-    before.addChild(_image(picture, place, bool((place - anchor) @ RIGHT < 0)))
+    before.addChild(_image(picture, place, is_on_the_left(place, anchor, axes)))
     root = coin.SoType.fromName("SoSkipBoundingGroup").createInstance()
     inner = coin.SoSeparator()
     inner.addChild(_ink())
@@ -66,6 +72,11 @@ def frame_nodes(
     inner.addChild(before)
     root.addChild(inner)
     return root
+
+
+def is_on_the_left(place: FloatArray, anchor: FloatArray, axes: FloatArray) -> bool:
+    """Whether a frame stands at the left of what it points at, so that its right edge is there."""
+    return bool((place - anchor) @ axes[0] < 0)
 
 
 def _ink() -> Any:

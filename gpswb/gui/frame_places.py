@@ -1,41 +1,66 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Where frames stand: in two columns beside the part as FreeCAD first shows it.
+"""Where frames stand: in two columns beside the part as a view shows it.
 
-The axonometric view that FreeCAD opens with looks from (1, −1, 1). In it the part's box leaves room
-at the left and at the right; there the frames stand one above the other in the order of what they
-point at, so that leaders hardly cross. They are points of space: when the view turns they turn with
-the part, and only their pictures keep facing the user.
+Frames are laid out for one view, at first the axonometric one that FreeCAD opens with, later that
+which the user asks for. In it the part's box leaves room at the left and at the right; there the
+frames stand one above the other in the order of what they point at, so that leaders hardly cross,
+and before the part, so that it hides no leader of a face that is seen.
+They are points of space: when the view turns they turn with the part, and only their pictures keep
+facing the user. Frames that were moved by hand stay where they are, and the others avoid them.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 
 import numpy as np
 
 from gpswb.core.mesh import FloatArray
 from gpswb.io.stored_result import StoredResult
 
-TOWARDS = np.array([1.0, -1.0, 1.0]) / np.sqrt(3.0)
-RIGHT = np.array([1.0, 1.0, 0.0]) / np.sqrt(2.0)
-UP = np.cross(TOWARDS, RIGHT)
+
+@dataclass(frozen=True, eq=False)
+class FrameView:
+    """A view that frames are laid out for.
+
+    Args:
+        axes: (3, 3) rows: to the right, upwards and towards the user.
+        row: between frames in a column, mm.
+        height: of what the view shows, mm.
+    """
+
+    axes: FloatArray
+    row: float
+    height: float
+
+
+AXONOMETRIC = np.array([[1.0, 1.0, 0.0], [-1.0, 1.0, 2.0], [1.0, -1.0, 1.0]]) / np.sqrt(
+    [[2.0], [6.0], [3.0]]
+)
+"""Axes of the view that FreeCAD opens with: from the right, the front and the top."""
 MARK = 0.03
 """Height of a datum triangle, of the part's diagonal."""
-_BESIDE = 0.03
-"""Between box and column, of the part's diagonal."""
+_BESIDE = 0.06
+"""Between box and column, of the part's diagonal: datum triangles have room there."""
 _ROW = 0.065
-"""Between frames in a column: a view that fits the part is about a diagonal high, and a frame with
-its gap a fifteenth of a window."""
-_COLUMN = 12
-"""Frames that a column holds in such a view; more go to the other side, where that has room."""
+"""Between frames in a column, of the part's diagonal: a view that fits the part is about a diagonal
+high, and a frame with its gap a fifteenth of a window."""
+_HEIGHT = 0.8
+"""Of such a view, of the diagonal: what it has of room for frames."""
 _APART = 0.1
 """Between the ends of leaders on one feature, so that they can be told apart."""
 _FACING = 0.2
 """A facet that faces the view by at least this cosine is well seen."""
 
 
+def first_view(diagonal: float) -> FrameView:
+    """The view that FreeCAD opens with, fitted to a part of this diagonal, mm."""
+    return FrameView(AXONOMETRIC, _ROW * diagonal, _HEIGHT * diagonal)
+
+
 def anchor_on(
-    stored: StoredResult, faces: Sequence[int], taken: Sequence[FloatArray]
+    stored: StoredResult, faces: Sequence[int], taken: Sequence[FloatArray], towards: FloatArray
 ) -> tuple[FloatArray, FloatArray]:
     """Where a leader ends: a point (3,) on the first of the faces, and the outward normal there.
 
@@ -44,13 +69,14 @@ def anchor_on(
     Args:
         faces: indices; the mesh has facets on the first.
         taken: (3,) ends of the leaders that are there.
+        towards: (3,) unit, to the user.
     """
     mesh, facemap = stored.solid.mesh, stored.solid.facemap
     assert facemap is not None
     facets = np.flatnonzero(facemap.face_of_triangle == faces[0])
     centres, normals = mesh.centroids[facets], mesh.facet_normals[facets]
     middle = np.average(centres, axis=0, weights=mesh.areas[facets] + 1e-300)
-    good = normals @ TOWARDS > _FACING
+    good = normals @ towards > _FACING
     score = np.linalg.norm(centres - middle, axis=1) + mesh.diagonal * ~good
     for other in taken:
         near = np.linalg.norm(centres - other, axis=1) < _APART * mesh.diagonal
@@ -59,25 +85,43 @@ def anchor_on(
     return centres[best], normals[best]
 
 
-def frame_places(anchors: FloatArray, corners: FloatArray) -> FloatArray:
+def frame_places(
+    anchors: FloatArray, corners: FloatArray, view: FrameView, kept: FloatArray
+) -> FloatArray:
     """Places (k, 3) of frames.
 
     Args:
         anchors: (k, 3) ends of their leaders.
         corners: (2, 3) lowest and highest corner of the part's box.
+        kept: (n, 3) places of other frames.
     """
+    right, up, towards = view.axes
     middle, size = corners.mean(axis=0), float(np.linalg.norm(np.ptp(corners, axis=0)))
-    half = np.ptp(corners, axis=0) / 2 @ np.abs(RIGHT) + _BESIDE * size
-    across, height = (anchors - middle) @ RIGHT, (anchors - middle) @ UP
+    half, depth = np.ptp(corners, axis=0) / 2 @ np.abs([right, towards]).T
+    half += _BESIDE * size
+    across, height = (anchors - middle) @ right, (anchors - middle) @ up
     places = np.zeros_like(anchors)
     order = np.argsort(across, kind="stable")
-    most = max(_COLUMN, (len(order) + 1) // 2)
+    most = max(int(view.height / view.row), (len(order) + 1) // 2)
     count = min(max(int((across < 0).sum()), len(order) - most), most)
     for side, members in ((-1.0, order[:count]), (1.0, order[count:])):
         rows = members[np.argsort(-height[members], kind="stable")]
-        level = _spread(height[rows], _ROW * size)
-        places[rows] = middle + side * half * RIGHT + level[:, None] * UP
+        beside = kept[(kept - middle) @ right * side > 0]
+        level = _avoid(_spread(height[rows], view.row), (beside - middle) @ up, view.row)
+        places[rows] = middle + depth * towards + side * half * right + level[:, None] * up
     return places
+
+
+def _avoid(levels: FloatArray, others: FloatArray, gap: float) -> FloatArray:
+    """Falling heights pushed down where they come nearer than ``gap`` to others (n,)."""
+    found = np.array(levels)
+    for i in range(len(found)):
+        if i:
+            found[i] = min(found[i], found[i - 1] - gap)
+        for other in -np.sort(-others):
+            if abs(found[i] - other) < gap:
+                found[i] = other - gap
+    return found
 
 
 def _spread(wanted: FloatArray, gap: float) -> FloatArray:

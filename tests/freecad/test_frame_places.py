@@ -6,23 +6,27 @@ from hypothesis import given
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 
-from gpswb.gui.frame_places import RIGHT, TOWARDS, UP, frame_places
+from gpswb.gui.frame_axes import axes_of, placement_of
+from gpswb.gui.frame_places import AXONOMETRIC, first_view, frame_places
 
 CORNERS = np.array([[-20.0, 5.0, 0.0], [60.0, 35.0, 30.0]])
 SIZE = float(np.linalg.norm(np.ptp(CORNERS, axis=0)))
+RIGHT, UP, TOWARDS = AXONOMETRIC
+NONE = np.zeros((0, 3))
 
 
 def test_the_view_is_that_from_the_right_front_top():
-    frame = np.array([RIGHT, UP, TOWARDS])
-    assert np.allclose(frame @ frame.T, np.eye(3))
-    assert np.linalg.det(frame) > 0
+    assert np.allclose(AXONOMETRIC @ AXONOMETRIC.T, np.eye(3))
+    assert np.linalg.det(AXONOMETRIC) > 0
+    assert np.allclose(TOWARDS * np.sqrt(3), [1.0, -1.0, 1.0])
     assert UP[2] > 0
+    assert np.allclose(axes_of(placement_of(AXONOMETRIC)), AXONOMETRIC)
 
 
 @given(arrays(float, st.tuples(st.integers(1, 40), st.just(3)), elements=st.floats(0, 1)))
 def test_beside_the_part_and_apart(shares):
     anchors = CORNERS[0] + shares * np.ptp(CORNERS, axis=0)
-    places = frame_places(anchors, CORNERS)
+    places = frame_places(anchors, CORNERS, first_view(SIZE), NONE)
     middle = CORNERS.mean(axis=0)
     corners = np.array(np.meshgrid(*CORNERS.T)).reshape(3, -1).T
     edge = np.abs((corners - middle) @ RIGHT).max()
@@ -38,3 +42,23 @@ def test_beside_the_part_and_apart(shares):
     # Up to a dozen a side, each stands on its own side.
     if len(anchors) <= 12:
         assert (((anchors - middle) @ RIGHT < 0) == (across < 0)).all()
+
+
+@given(
+    arrays(float, st.tuples(st.integers(1, 8), st.just(3)), elements=st.floats(0, 1)),
+    arrays(float, st.tuples(st.integers(1, 4), st.just(2)), elements=st.floats(-1, 1)),
+)
+def test_away_from_frames_that_the_user_has_moved(shares, moved):
+    anchors = CORNERS[0] + shares * np.ptp(CORNERS, axis=0)
+    kept = CORNERS.mean(axis=0) + SIZE * moved @ AXONOMETRIC[:2]
+    view = first_view(SIZE)
+    places = frame_places(anchors, CORNERS, view, kept)
+    for side in (-1.0, 1.0):
+        own, other = (
+            np.sort((each - CORNERS.mean(axis=0)) @ UP)
+            for each in (
+                each[(each - CORNERS.mean(axis=0)) @ RIGHT * side > 0] for each in (places, kept)
+            )
+        )
+        assert (np.diff(own) >= view.row * (1 - 1e-9)).all()
+        assert (np.abs(own[:, None] - other) >= view.row * (1 - 1e-9)).all()

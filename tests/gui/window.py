@@ -55,15 +55,23 @@ def view_area():
 
 def click_in_view(x, y):
     """Press and release the left mouse button at a pixel of the 3-D view, origin at its top."""
+    drag_in_view((x, y))
+
+
+def drag_in_view(start, *steps):
+    """Press the left mouse button at a pixel, move by each of the steps, and let go."""
     area = view_area()
-    place = QtCore.QPointF(x, y)
+    place = QtCore.QPointF(*start)
     left, none = QtCore.Qt.LeftButton, QtCore.Qt.NoButton
-    for kind, pressed, held in (
-        (QtCore.QEvent.MouseMove, none, none),
-        (QtCore.QEvent.MouseButtonPress, left, left),
-        (QtCore.QEvent.MouseButtonRelease, left, none),
-    ):
-        event = QtGui.QMouseEvent(kind, place, pressed, held, QtCore.Qt.NoModifier)
+    move = QtCore.QEvent.MouseMove
+    events = [(move, place, none, none), (QtCore.QEvent.MouseButtonPress, place, left, left)]
+    for step in steps:
+        for _ in range(4):
+            place = place + QtCore.QPointF(*step) / 4
+            events.append((move, place, none, left))
+    events.append((QtCore.QEvent.MouseButtonRelease, place, left, none))
+    for kind, at, pressed, held in events:
+        event = QtGui.QMouseEvent(kind, at, pressed, held, QtCore.Qt.NoModifier)
         QtWidgets.QApplication.sendEvent(area, event)
         settle(0.05)
 

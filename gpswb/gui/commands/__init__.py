@@ -21,6 +21,7 @@ MODULES: dict[str, str] = {
     "GPS_Query": "query",
     "GPS_Datums": "datums",
     "GPS_Annotate": "annotate",
+    "GPS_Frames": "frames",
     "GPS_Report": "report",
     "GPS_Export": "export",
 }
@@ -29,7 +30,7 @@ MODULES: dict[str, str] = {
 GROUPS: tuple[tuple[str, tuple[str, ...]], ...] = (
     ("GPS partition", ("GPS_Import", "GPS_Partition", "GPS_Validate", "GPS_Sweep")),
     ("GPS view", ("GPS_Colour", "GPS_Legend", "GPS_Query")),
-    ("GPS annotation", ("GPS_Datums", "GPS_Annotate")),
+    ("GPS annotation", ("GPS_Datums", "GPS_Annotate", "GPS_Frames")),
     ("GPS results", ("GPS_Report", "GPS_Export")),
 )
 """Toolbars with their buttons; the menu holds the same, with separators between."""

@@ -9,8 +9,10 @@ from __future__ import annotations
 
 from typing import Any
 
+from gpswb.core.mesh import FloatArray
 from gpswb.gui import compat
 from gpswb.gui.annotation_record import Record, read_record, record_text
+from gpswb.gui.frame_axes import placement_of
 from gpswb.gui.objects.stateless import Stateless
 
 _PROPERTIES = (
@@ -23,6 +25,8 @@ _PROPERTIES = (
     ("App::PropertyVector", "Anchor", 2, "Where the leader ends on the part"),
     ("App::PropertyVector", "Normal", 2, "Of the part there"),
     ("App::PropertyVectorDistance", "Place", 1, "Where the frame stands"),
+    ("App::PropertyBool", "Kept", 1, "The frame was moved by hand, and keeps its place"),
+    ("App::PropertyPlacement", "View", 2, "Orientation of the view that it is laid out for"),
     ("App::PropertyFloat", "Mark", 2, "Height of a datum triangle, mm"),
     ("App::PropertyString", "Annotation", 2, "The annotation, JSON of schema gpswb-annotation/1"),
 )
@@ -35,13 +39,21 @@ class AnnotationProxy(Stateless):
 
     def __init__(self, obj: Any) -> None:
         obj.Proxy = self
-        for kind, name, editor, text in _PROPERTIES:
-            if not hasattr(obj, name):
-                obj.addProperty(kind, name, "GPS", text)
-                obj.setEditorMode(name, editor)
+        _add_properties(obj)
 
     def execute(self, obj: Any) -> None:
         """Nothing depends on anything that the partition doesn't know first."""
+
+    def onDocumentRestored(self, obj: Any) -> None:
+        """Give documents of older versions the properties that came later."""
+        _add_properties(obj)
+
+
+def _add_properties(obj: Any) -> None:
+    for kind, name, editor, text in _PROPERTIES:
+        if not hasattr(obj, name):
+            obj.addProperty(kind, name, "GPS", text)
+            obj.setEditorMode(name, editor)
 
 
 def is_annotation(obj: Any) -> bool:
@@ -87,3 +99,10 @@ def record_of(obj: Any) -> Record:
         InputError: it is damaged.
     """
     return read_record(obj.Annotation)
+
+
+def move_frame(obj: Any, place: FloatArray, axes: FloatArray) -> None:
+    """Put a frame where the user wants it: at ``place`` (3,) as a view with these axes shows it."""
+    obj.Kept, obj.View = True, placement_of(axes)
+    obj.Place = tuple(place.tolist())
+    obj.purgeTouched()

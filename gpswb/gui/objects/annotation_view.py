@@ -8,17 +8,22 @@ from typing import Any
 import numpy as np
 from pivy import coin
 
+from gpswb.core.mesh import FloatArray
 from gpswb.errors import GpswbError
 from gpswb.gui import compat
 from gpswb.gui.annotation_record import DatumRecord, SpecificationRecord
-from gpswb.gui.frame_nodes import frame_nodes
+from gpswb.gui.compat import translate
+from gpswb.gui.frame_axes import axes_of
+from gpswb.gui.frame_drag import FrameDrag
+from gpswb.gui.frame_nodes import frame_nodes, is_on_the_left
 from gpswb.gui.frame_picture import frame_picture
 from gpswb.gui.icons import icon
-from gpswb.gui.objects.annotation import record_of
+from gpswb.gui.objects.annotation import move_frame, record_of
 from gpswb.gui.objects.stateless import Stateless
+from gpswb.gui.one_step import one_step
 
 _MODE = "Frame"
-_SHOWN = ("Cells", "Anchor", "Normal", "Mark", "Place")
+_SHOWN = ("Cells", "Anchor", "Normal", "Mark", "View", "Place")
 
 
 class AnnotationView(Stateless):
@@ -30,7 +35,12 @@ class AnnotationView(Stateless):
     def attach(self, view: Any) -> None:
         """Make the display mode."""
         self.obj = view.Object
+        self.picture: Any = None
+        self.drag = FrameDrag(self._rectangle, self._draw_at, self._move)
+        self.drawing = coin.SoSeparator()
         self.root = coin.SoSeparator()
+        self.root.addChild(self.drag.node)
+        self.root.addChild(self.drawing)
         view.addDisplayMode(self.root, _MODE)
 
     def getDisplayModes(self, view: Any) -> list[str]:
@@ -49,19 +59,34 @@ class AnnotationView(Stateless):
 
     def draw(self, obj: Any) -> None:
         """Draw the frame anew."""
-        self.root.removeAllChildren()
-        if not obj.Cells:
+        self.picture = None
+        if obj.Cells:
+            scale = compat.main_window().devicePixelRatioF()
+            self.picture = frame_picture(list(obj.Cells), scale)
+        self._draw_at(np.array(tuple(obj.Place)), axes_of(obj.View))
+
+    def _draw_at(self, place: FloatArray, axes: FloatArray) -> None:
+        self.drawing.removeAllChildren()
+        if self.picture is None:
             return
         try:
-            datum = isinstance(record_of(obj), DatumRecord)
+            datum = isinstance(record_of(self.obj), DatumRecord)
         except GpswbError:
             return
-        scale = compat.main_window().devicePixelRatioF()
-        anchor, normal, place = (
-            np.array(tuple(vector)) for vector in (obj.Anchor, obj.Normal, obj.Place)
-        )
-        picture = frame_picture(list(obj.Cells), scale)
-        self.root.addChild(frame_nodes(picture, anchor, normal, place, obj.Mark if datum else 0.0))
+        anchor, normal = (np.array(tuple(v)) for v in (self.obj.Anchor, self.obj.Normal))
+        mark = self.obj.Mark if datum else 0.0
+        self.drawing.addChild(frame_nodes(self.picture, anchor, normal, place, mark, axes))
+
+    def _rectangle(self) -> tuple[FloatArray, tuple[int, int], bool] | None:
+        if self.picture is None:
+            return None
+        place, anchor = (np.array(tuple(v)) for v in (self.obj.Place, self.obj.Anchor))
+        size = self.picture.width(), self.picture.height()
+        return place, size, is_on_the_left(place, anchor, axes_of(self.obj.View))
+
+    def _move(self, place: FloatArray, axes: FloatArray) -> None:
+        with one_step(self.obj.Document, translate("GPS", "Move frame")):
+            move_frame(self.obj, place, axes)
 
     def doubleClicked(self, view: Any) -> bool:
         """Edit it."""

@@ -52,6 +52,9 @@ _PROPERTIES = (
     ("App::PropertyFloat", "FaceAccuracy", "Result", 1, "Share of the faces that agree with CAD"),
     ("App::PropertyString", "Result", "Data", 2, "The result, JSON of schema gpswb-result/1"),
     ("App::PropertyFileIncluded", "Labels", "Data", 2, "The mesh with its labels (npz)"),
+    ("App::PropertyPlacement", "FrameView", "Data", 2, "View that frames are laid out for"),
+    ("App::PropertyFloat", "FrameRow", "Data", 2, "Between frames, mm; 0: axonometric view"),
+    ("App::PropertyFloat", "FrameHeight", "Data", 2, "Of what that view shows, mm"),
     ("App::PropertyString", "Overrides", "Data", 2, "What the user knows better, JSON"),
     ("App::PropertyString", "RunKey", "Data", 2, "Fingerprint of part and settings of the result"),
 )

@@ -228,6 +228,10 @@
       <translation type="unfinished" />
     </message>
     <message>
+      <source>Move frame</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <source>No faces for this letter</source>
       <translation type="unfinished" />
     </message>
@@ -914,6 +918,17 @@
     </message>
     <message>
       <source>Write result, faces, GPS features, report or mesh as a file</source>
+      <translation type="unfinished" />
+    </message>
+  </context>
+  <context>
+    <name>GPS_Frames</name>
+    <message>
+      <source>Lay the frames out beside the part as this view shows it, none over another</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Place frames</source>
       <translation type="unfinished" />
     </message>
   </context>

@@ -228,6 +228,10 @@
       <translation>Modifikatoren</translation>
     </message>
     <message>
+      <source>Move frame</source>
+      <translation>Rahmen verschieben</translation>
+    </message>
+    <message>
       <source>No faces for this letter</source>
       <translation>Keine Flächen für diesen Buchstaben</translation>
     </message>
@@ -915,6 +919,17 @@
     <message>
       <source>Write result, faces, GPS features, report or mesh as a file</source>
       <translation>Ergebnis, Flächen, GPS-Geometrieelemente, Bericht oder Netz als Datei schreiben</translation>
+    </message>
+  </context>
+  <context>
+    <name>GPS_Frames</name>
+    <message>
+      <source>Lay the frames out beside the part as this view shows it, none over another</source>
+      <translation>Die Rahmen neben dem Teil anordnen, wie diese Ansicht es zeigt, keinen über einem anderen</translation>
+    </message>
+    <message>
+      <source>Place frames</source>
+      <translation>Rahmen anordnen</translation>
     </message>
   </context>
   <context>
