@@ -54,6 +54,9 @@ def show():
     picture("query")
     shown_panel().reject()
     annotate(partition)
+    FreeCADGui.runCommand("GPS_Legend", 0)  # makes room
+    FreeCADGui.SendMsgToActiveView("ViewFit")
+    settle(1.0)
     FreeCADGui.runCommand("GPS_Frames", 0)
     FreeCADGui.Selection.clearSelection()
     settle(1.0)
@@ -81,7 +84,7 @@ def annotate(partition):
         ("Plane 3", "perpendicularity", 0.1, "A"),
         ("Hole 1", "position", 0.1, "A|B"),
         ("Shaft 1", "circular run-out", 0.04, "C"),
-        ("Convex radius 1", "surface profile", "?", "A|B|C"),
+        ("Torus 1", "surface profile", "?", "A|B|C"),
         ("Cone 1", "circular run-out", 0.08, "C"),
     ):
         add_specification(partition, faces[name], *words)

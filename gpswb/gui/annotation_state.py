@@ -24,7 +24,7 @@ from gpswb.gps.specified import GeometricalTolerance, Specified, specify
 from gpswb.gui.annotation_record import DatumRecord, SystemRecord
 from gpswb.gui.annotation_rows import UNPLACED, choice_of, faces_now, row_of
 from gpswb.gui.frame_axes import axes_of, placement_of
-from gpswb.gui.frame_places import MARK, FrameView, anchor_on, first_view, frame_places
+from gpswb.gui.frame_places import MARK, FrameView, anchor_on, first_view, frame_places, frame_width
 from gpswb.gui.objects.annotation import annotations_of, record_of
 from gpswb.gui.objects.partition import effective_result
 from gpswb.gui.part_features import features_of
@@ -121,28 +121,30 @@ def _judged(said: Specified, table: FeatureTable) -> tuple[str, str]:
     return row.status, row.reason
 
 
-def place_frames(partition: Any, rotation: Any, row: float, height: float) -> None:
-    """Lay all frames of a partition out for a view, those moved by hand too.
-
-    Args:
-        rotation: of the view's camera.
-        row: of a frame with its gap in that view, mm.
-        height: of what the view shows, mm.
-    """
-    partition.FrameView = FreeCAD.Placement(FreeCAD.Vector(), rotation)
-    partition.FrameRow, partition.FrameHeight = row, height
+def place_frames(partition: Any, view: FrameView) -> None:
+    """Lay all frames of a partition out for a view, those moved by hand too."""
+    placement = placement_of(view.axes)
+    placement.Base = FreeCAD.Vector(*view.offset)
+    partition.FrameView, partition.FrameRow = placement, view.row
+    partition.FrameWidth, partition.FrameHeight = view.width, view.height
     for obj in annotations_of(partition):
         obj.Kept = False
     refresh_annotations(partition)
+
+
+def _view_of(partition: Any, diagonal: float) -> FrameView:
+    if not partition.FrameRow > 0:
+        return first_view(diagonal)
+    placement = partition.FrameView
+    size = partition.FrameRow, partition.FrameWidth, partition.FrameHeight
+    return FrameView(axes_of(placement), *size, np.array(tuple(placement.Base)))
 
 
 def _place(partition: Any, stored: StoredResult, objects: Sequence[Any]) -> None:
     """Spread the frames beside the part."""
     index = {face.name: i for i, face in enumerate(stored.faces)}
     diagonal = stored.solid.mesh.diagonal
-    view = first_view(diagonal)
-    if partition.FrameRow > 0:
-        view = FrameView(axes_of(partition.FrameView), partition.FrameRow, partition.FrameHeight)
+    view = _view_of(partition, diagonal)
     taken: list[FloatArray] = []
     for obj in objects:
         faces = [index[name] for _, names in obj.Faces for name in names]
@@ -157,7 +159,8 @@ def _place(partition: Any, stored: StoredResult, objects: Sequence[Any]) -> None
         vertices = stored.solid.mesh.vertices
         corners = np.array([vertices.min(axis=0), vertices.max(axis=0)])
         kept = np.array([tuple(obj.Place) for obj in objects if obj.Kept]).reshape(-1, 3)
-        places = frame_places(np.array(taken)[free], corners, view, kept)
+        widths = np.array([frame_width(objects[i].Cells, view.row) for i in free])
+        places = frame_places(np.array(taken)[free], widths, corners, view, kept)
         for i, place in zip(free, places, strict=True):
             objects[i].View = placement_of(view.axes)
             objects[i].Place = tuple(place.tolist())

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from math import ceil
 from typing import Any
 
 from gpswb.gui.compat import QtCore, QtGui
@@ -29,7 +30,7 @@ def frame_picture(cells: Sequence[str], scale: float = 1.0, ink: str = INK) -> A
     metrics = QtGui.QFontMetricsF(font)
     widths = [_width(cell, metrics) for cell in cells]
     boxed = cells[0] in SYMBOLS or cells[0].isalpha()
-    size = (int(sum(widths)) + 3, HEIGHT + 2)
+    size = (ceil(sum(widths)) + 2, HEIGHT + 2)
     image = QtGui.QImage(int(size[0] * scale), int(size[1] * scale), QtGui.QImage.Format_RGBA8888)
     image.fill(QtGui.QColor(PAPER))
     painter = QtGui.QPainter(image)

@@ -27,12 +27,15 @@ class FrameView:
     Args:
         axes: (3, 3) rows: to the right, upwards and towards the user.
         row: between frames in a column, mm.
-        height: of what the view shows, mm.
+        width, height: of what the view shows, mm.
+        offset: (3,) from the middle of the part's box to what is seen in the view's middle, mm.
     """
 
     axes: FloatArray
     row: float
+    width: float
     height: float
+    offset: FloatArray
 
 
 AXONOMETRIC = np.array([[1.0, 1.0, 0.0], [-1.0, 1.0, 2.0], [1.0, -1.0, 1.0]]) / np.sqrt(
@@ -48,6 +51,8 @@ _ROW = 0.065
 high, and a frame with its gap a fifteenth of a window."""
 _HEIGHT = 0.8
 """Of such a view, of the diagonal: what it has of room for frames."""
+_CELL, _LETTER, _MARGIN = 0.7, 0.24, 0.4
+"""Least width of a compartment, widest of a letter and margin of text, of a row."""
 _APART = 0.1
 """Between the ends of leaders on one feature, so that they can be told apart."""
 _FACING = 0.2
@@ -56,7 +61,12 @@ _FACING = 0.2
 
 def first_view(diagonal: float) -> FrameView:
     """The view that FreeCAD opens with, fitted to a part of this diagonal, mm."""
-    return FrameView(AXONOMETRIC, _ROW * diagonal, _HEIGHT * diagonal)
+    return FrameView(AXONOMETRIC, _ROW * diagonal, np.inf, _HEIGHT * diagonal, np.zeros(3))
+
+
+def frame_width(cells: Sequence[str], row: float) -> float:
+    """Width of a frame at most, mm, where the rows are ``row`` mm apart."""
+    return sum(max(_CELL, _LETTER * len(cell) + _MARGIN) for cell in cells) * row
 
 
 def anchor_on(
@@ -86,12 +96,13 @@ def anchor_on(
 
 
 def frame_places(
-    anchors: FloatArray, corners: FloatArray, view: FrameView, kept: FloatArray
+    anchors: FloatArray, widths: FloatArray, corners: FloatArray, view: FrameView, kept: FloatArray
 ) -> FloatArray:
-    """Places (k, 3) of frames.
+    """Places (k, 3) of frames: beside the part; where the view is too narrow for that, before it.
 
     Args:
         anchors: (k, 3) ends of their leaders.
+        widths: (k,) of the frames, mm.
         corners: (2, 3) lowest and highest corner of the part's box.
         kept: (n, 3) places of other frames.
     """
@@ -106,9 +117,14 @@ def frame_places(
     count = min(max(int((across < 0).sum()), len(order) - most), most)
     for side, members in ((-1.0, order[:count]), (1.0, order[count:])):
         rows = members[np.argsort(-height[members], kind="stable")]
+        if not len(rows):
+            continue
+        edge = view.width / 2 - widths[rows].max() + side * view.offset @ right
         beside = kept[(kept - middle) @ right * side > 0]
-        level = _avoid(_spread(height[rows], view.row), (beside - middle) @ up, view.row)
-        places[rows] = middle + depth * towards + side * half * right + level[:, None] * up
+        level = _spread(height[rows], view.offset @ up, view)
+        level = _avoid(level, (beside - middle) @ up, view.row)
+        column = middle + depth * towards + side * min(half, edge) * right
+        places[rows] = column + level[:, None] * up
     return places
 
 
@@ -124,11 +140,15 @@ def _avoid(levels: FloatArray, others: FloatArray, gap: float) -> FloatArray:
     return found
 
 
-def _spread(wanted: FloatArray, gap: float) -> FloatArray:
-    """Falling heights at least ``gap`` apart, as near to the wanted ones as pushing makes them."""
-    step = gap * np.arange(len(wanted))
-    # With the steps added, "gap apart" means "not rising": the nearest such row is known.
-    level = wanted + step
+def _spread(wanted: FloatArray, middle: float, view: FrameView) -> FloatArray:
+    """Falling heights a row apart, as near to the wanted ones as can be.
+
+    They lie within the view, whose middle is at a height of ``middle``; if not all fit, the first.
+    """
+    step = view.row * np.arange(len(wanted))
+    most = (view.height - view.row) / 2
+    # With the steps added, "a row apart" means "not rising": the nearest such row is known.
+    level = np.clip(wanted + step, middle - most + step[-1], middle + most)
     down = np.minimum.accumulate(level)
     up = np.maximum.accumulate(level[::-1])[::-1]
     found: FloatArray = (down + up) / 2 - step

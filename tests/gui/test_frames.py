@@ -106,9 +106,8 @@ def test_frames_are_laid_out_for_the_view_as_it_is(block, partition):
         assert overlaps(partition) == []
         area = view_area()
         for obj in framed(partition):
-            _, top, _, bottom = rectangle(obj)
-            assert top >= 0
-            assert bottom <= area.height()
+            assert (rectangle(obj)[:2] >= 0).all()
+            assert (rectangle(obj)[2:] <= (area.width(), area.height())).all()
     view.getCameraNode().height = 0.4 * view.getCameraNode().height.getValue()
     settle()
     FreeCADGui.runCommand("GPS_Frames", 0)

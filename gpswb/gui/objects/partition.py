@@ -54,6 +54,7 @@ _PROPERTIES = (
     ("App::PropertyFileIncluded", "Labels", "Data", 2, "The mesh with its labels (npz)"),
     ("App::PropertyPlacement", "FrameView", "Data", 2, "View that frames are laid out for"),
     ("App::PropertyFloat", "FrameRow", "Data", 2, "Between frames, mm; 0: axonometric view"),
+    ("App::PropertyFloat", "FrameWidth", "Data", 2, "Of what that view shows, mm"),
     ("App::PropertyFloat", "FrameHeight", "Data", 2, "Of what that view shows, mm"),
     ("App::PropertyString", "Overrides", "Data", 2, "What the user knows better, JSON"),
     ("App::PropertyString", "RunKey", "Data", 2, "Fingerprint of part and settings of the result"),
