@@ -262,10 +262,27 @@ def markdown(rows: list[Row], *, recognised: bool) -> list[str]:
                 f"{row.locks}{ok} | {row.runner_up or '–'} | "
                 f"{pmi if row.tolerances or row.datums else ''} |"
             )
+    lines += ["", "What is not as it should be:", ""]
+    lines += [f"- {row.file}: {'; '.join(said)}" for row in rows if (said := wrong(row))]
     without = [row for row in rows if row.status != "done" or not row.features]
     lines += ["", "Without features:", ""]
     lines += [f"- {r.file}: {r.status if r.status != 'done' else 'no surface'}" for r in without]
     return lines
+
+
+def wrong(row: Row) -> list[str]:
+    """What of a file's figures is not as it should be."""
+    said = {
+        "faces in no feature, or in several": row.amiss,
+        f"of {row.diameters} diameters off, by up to {row.worst_mm:.2g} mm": row.diameters_off,
+        f"of {row.datums} datum features not as their exact surfaces": row.datums
+        - row.datums_right,
+        f"of {row.tolerances} magnitudes not read": row.tolerances - row.read,
+        "tolerances called not allowed": row.refused,
+        f"of {row.of_cad} features and compounds of the CAD surfaces not found": row.of_cad
+        - row.alike,
+    }
+    return [f"{count} {what}" for what, count in said.items() if count]
 
 
 def main() -> int:
