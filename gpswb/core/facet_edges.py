@@ -1,11 +1,13 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""What lies at each half-edge (see `half_edges`): its interior edge, and the half-edge across."""
+"""Interior edges: at which half-edges they lie (see `half_edges`), and how long they are."""
 
 from __future__ import annotations
 
 import numpy as np
 
-from gpswb.core.mesh import IntArray, Mesh
+from gpswb.core.blocks import blocks
+from gpswb.core.facet_geometry import dot
+from gpswb.core.mesh import FloatArray, IntArray, Mesh
 
 
 def edges_of_sides(mesh: Mesh) -> IntArray:
@@ -22,3 +24,14 @@ def sides_across(mesh: Mesh) -> IntArray:
     first, second = mesh.half_edge_pairs.T
     across[first], across[second] = second, first
     return across
+
+
+def edge_lengths(mesh: Mesh, edges: IntArray | None = None) -> FloatArray:
+    """(e,) lengths of all interior edges, or of some, mm."""
+    ends = mesh.pair_edges if edges is None else mesh.pair_edges[edges]
+    lengths = np.empty(len(ends))
+    for part in blocks(len(ends)):
+        end = mesh.columns.take(ends[part].T, axis=1)
+        side = end[:, 1] - end[:, 0]
+        lengths[part] = np.sqrt(dot(side, side))
+    return lengths

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from gpswb.core.core_facets import core_facets
+from gpswb.core.facet_edges import edge_lengths
 from gpswb.core.invariance import InvarianceClass
 from gpswb.core.mesh import BoolArray, FloatArray, IntArray, Mesh
 from gpswb.core.quotient import quotient_coordinates
@@ -102,8 +103,7 @@ def _absorb(
     inside = region >= 0
     count = int(region.max(initial=-1)) + 1
     size = np.bincount(region[inside], minlength=count)
-    ends = mesh.vertices[mesh.pair_edges[~crease]]
-    length = np.tile(np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1), 2)
+    length = np.tile(edge_lengths(mesh, np.flatnonzero(~crease)), 2)
     pairs = mesh.facet_pairs[~crease]
     pairs = np.concatenate([pairs, pairs[:, ::-1]])
     own, other = region[pairs].T
@@ -135,7 +135,7 @@ def _lies_on(
         if surface is None:
             continue
         chosen = label == number
-        away = surface.distance(mesh.corners[facet[chosen]].reshape(-1, 3)).reshape(-1, 3)
+        away = surface.distance(mesh.corners_of(facet[chosen]).reshape(-1, 3)).reshape(-1, 3)
         result[chosen] = away.max(axis=1) <= surface.tolerance
     return result
 

@@ -9,6 +9,7 @@ import numpy as np
 
 from gpswb.core.blocks import blocks
 from gpswb.core.curvature import Curvature, curvedness, estimate_curvature, shape_index
+from gpswb.core.facet_edges import edge_lengths
 from gpswb.core.facet_geometry import dot
 from gpswb.core.growing import grow_regions
 from gpswb.core.mesh import BoolArray, FloatArray, IntArray, Mesh
@@ -108,8 +109,7 @@ def noise_sweeps(mesh: Mesh, sigma: float) -> int:
     """
     if sigma <= 0.0 or not len(mesh.pair_edges):
         return 0
-    ends = mesh.vertices[mesh.pair_edges]
-    length = float(np.median(np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1)))
+    length = float(np.median(edge_lengths(mesh)))
     turn = sigma / max(length, 1e-300) / np.radians(1.0)
     return int(np.clip(np.ceil(turn**2), 0, 12)) if turn > 0.1 else 0
 

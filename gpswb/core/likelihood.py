@@ -17,7 +17,8 @@ p(rho) p(z') / (2 pi), p(rho, z') / (2 pi), p(h, rho) p(z'), and their ranking d
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
+from functools import cached_property
 from typing import Literal
 
 import numpy as np
@@ -31,20 +32,59 @@ from gpswb.core.quotient import (
     largest_gap,
     quotient_coordinates,
 )
-from gpswb.core.reference import Reference, axis_frame, spread
+from gpswb.core.reference import Reference, References, axis_frame, spread
 
 Densities = Literal["corrected", "printed"]
 
 _SAMPLES = 4000  # points evaluated; larger regions are thinned evenly and scaled up
 
 
+class LogLikelihoods(Mapping[InvarianceClass, float]):
+    """log L of every class for one region, computed when first read.
+
+    They are reported, but decide only in mode `paper`: computing the seven takes longer than all
+    else that is done with a region.
+
+    Args:
+        points: (n, 3) mm, n >= 2.
+        references: gives the reference parameters by class; classes left out get no value.
+        floor, densities: as in `log_likelihoods`.
+    """
+
+    def __init__(
+        self,
+        points: FloatArray,
+        references: Callable[[], References],
+        floor: float,
+        densities: Densities = "corrected",
+    ) -> None:
+        # No more than is read is kept: a copy, so that the rest can be freed.
+        self._points = points[spread(len(points), _SAMPLES)]
+        self._scale = len(points) / max(len(self._points), 1)
+        self._references, self._floor, self._densities = references, floor, densities
+
+    @cached_property
+    def _values(self) -> dict[InvarianceClass, float]:
+        found = log_likelihoods(self._points, self._references(), self._floor, self._densities)
+        return {name: self._scale * value for name, value in found.items()}
+
+    def __getitem__(self, name: InvarianceClass) -> float:
+        return self._values[name]
+
+    def __iter__(self) -> Iterator[InvarianceClass]:
+        return iter(self._values)
+
+    def __len__(self) -> int:
+        return len(self._values)
+
+
 def log_likelihoods(
     points: FloatArray,
-    references: Mapping[InvarianceClass, Reference],
+    references: References,
     floor: float,
     densities: Densities = "corrected",
 ) -> dict[InvarianceClass, float]:
-    """log L of every class for one region, given the reference parameters of each class.
+    """log L of every class, given the reference parameters of each class.
 
     The reference parameters are estimated once from all points, where the print estimates them anew
     without each point in turn; the difference is of the order of one point's weight.
@@ -61,14 +101,11 @@ def log_likelihoods(
     Raises:
         ValueError: fewer than two points, or a floor that is not positive.
     """
-    chosen = points[spread(len(points), _SAMPLES)]
-    scale = len(points) / len(chosen)
-    result: dict[InvarianceClass, float] = {}
-    for name in CLASSES:
-        if name in references:
-            density = _MODELS[name](chosen, references[name], floor, densities == "printed")
-            result[name] = scale * float(density.sum())
-    return result
+    return {
+        name: float(_MODELS[name](points, references[name], floor, densities == "printed").sum())
+        for name in CLASSES
+        if name in references
+    }
 
 
 def _one(values: FloatArray, floor: float) -> FloatArray:

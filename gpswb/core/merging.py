@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import heapq
 from typing import Protocol
 
 import numpy as np
@@ -17,15 +16,19 @@ class MergeRule(Protocol):
     def score(self, first: IntArray, second: IntArray) -> FloatArray:
         """Similarity (p,) of pairs of regions; 0 forbids the merge."""
 
-    def join(self, kept: int, gone: int) -> None:
-        """Make region ``kept`` the union of both; ``gone`` is asked for no more."""
+    def join(self, kept: IntArray, gone: IntArray) -> None:
+        """Make each region ``kept`` (p,) the union with ``gone`` (p,), which is asked for no more.
+
+        No region is in two of the pairs.
+        """
 
 
 def merge_regions(count: int, pairs: IntArray, rule: MergeRule, least: float) -> IntArray:
-    """Merge the most similar adjacent pair until no pair reaches the least similarity.
+    """Merge the most similar adjacent regions until no pair reaches the least similarity.
 
-    A heap holds every adjacent pair; a merge scores the union's neighbours anew, all at once, so
-    that the cost is E log E score look-ups for E adjacent pairs.
+    In rounds: all pairs that are each other's most similar neighbours merge at once, then all
+    neighbours of the unions are scored anew, in one batch. One pair at a time, the most similar of
+    all first, would give the same but where a union far away becomes a better neighbour still.
 
     Args:
         count: number of regions.
@@ -36,46 +39,46 @@ def merge_regions(count: int, pairs: IntArray, rule: MergeRule, least: float) ->
     Returns:
         (count,) int64: the region each one ended in, by the number of the region that was kept.
     """
-    neighbours: list[set[int]] = [set() for _ in range(count)]
-    for a, b in np.unique(np.sort(pairs, axis=1), axis=0).tolist():
-        if a != b:
-            neighbours[a].add(b)
-            neighbours[b].add(a)
     parent = np.arange(count, dtype=np.int64)
-    version = [0] * count
-    heap: list[tuple[float, int, int, int, int]] = []
-
-    def push(first: list[int], second: list[int]) -> None:
-        if not first:
-            return
-        scores = rule.score(np.array(first, dtype=np.int64), np.array(second, dtype=np.int64))
-        for a, b, value in zip(first, second, scores.tolist(), strict=True):
-            if value >= least:
-                heapq.heappush(heap, (-value, a, b, version[a], version[b]))
-
-    edges = [(a, b) for a in range(count) for b in sorted(neighbours[a]) if a < b]
-    push([a for a, _ in edges], [b for _, b in edges])
-    while heap:
-        _, a, b, version_a, version_b = heapq.heappop(heap)
-        if version[a] != version_a or version[b] != version_b:
-            continue
-        if len(neighbours[a]) < len(neighbours[b]):
-            a, b = b, a
-        rule.join(a, b)
-        parent[b] = a
-        version[a] += 1
-        version[b] = -1
-        neighbours[a] |= neighbours[b]
-        neighbours[a] -= {a, b}
-        for other in neighbours[b]:
-            neighbours[other].discard(b)
-            if other != a:
-                neighbours[other].add(a)
-        neighbours[b] = set()
-        around = sorted(neighbours[a])
-        push([a] * len(around), around)
+    edges, _ = _distinct(pairs, count)
+    score, stale = np.zeros(len(edges)), np.ones(len(edges), dtype=bool)
+    while stale.any():
+        score[stale] = rule.score(*edges[stale].T)
+        chosen = edges[_mutual(edges, score, least, count)]
+        if not len(chosen):
+            break
+        # The one with more neighbours is kept.
+        degree = np.bincount(edges.ravel(), minlength=count)
+        swap = degree[chosen[:, 0]] < degree[chosen[:, 1]]
+        kept, gone = np.where(swap, chosen.T[::-1], chosen.T)
+        rule.join(kept, gone)
+        parent[gone] = kept
+        touched = np.zeros(count, dtype=bool)
+        touched[kept] = True
+        edges, first = _distinct(parent[edges], count)
+        score = score[first]
+        stale = touched[edges[:, 0]] | touched[edges[:, 1]]
     while True:
         grand = parent[parent]
         if np.array_equal(grand, parent):
             return parent
         parent = grand
+
+
+def _mutual(edges: IntArray, score: FloatArray, least: float, count: int) -> IntArray:
+    """Indices of the edges that no edge at either end surpasses; the lower numbers win a tie."""
+    order = np.lexsort((edges[:, 1], edges[:, 0], -score))
+    order = order[score[order] >= least]
+    best = np.full(count, -1, dtype=np.int64)
+    # Written from the worst to the best: the best stays.
+    best[edges[order[::-1]].T] = order[::-1]
+    mutual: IntArray = order[(best[edges[order]] == order[:, None]).all(axis=1)]
+    return mutual
+
+
+def _distinct(pairs: IntArray, count: int) -> tuple[IntArray, IntArray]:
+    """The different pairs (e, 2) of two regions, lower first, and where each stood first (e,)."""
+    two = np.flatnonzero(pairs[:, 0] != pairs[:, 1])
+    low, high = pairs[two].min(axis=1), pairs[two].max(axis=1)
+    key, first = np.unique(low * count + high, return_index=True)
+    return np.column_stack(np.divmod(key, max(count, 1))), two[first]

@@ -42,12 +42,12 @@ class PrintedRule:
         similarity: FloatArray = angle * each[0] * each[1]
         return similarity
 
-    def join(self, kept: int, gone: int) -> None:
+    def join(self, kept: IntArray, gone: IntArray) -> None:
         """Add M_c and the sizes; decompose anew."""
         self._motion[kept] += self._motion[gone]
         self._size[kept] += self._size[gone]
-        count, _, vectors = printed_signature(self._motion[[kept]], self._settings.condition_number)
-        self._motions[kept], self._vectors[kept] = count[0], vectors[0]
+        count, _, vectors = printed_signature(self._motion[kept], self._settings.condition_number)
+        self._motions[kept], self._vectors[kept] = count, vectors
 
 
 def printed_motion_matrices(

@@ -12,11 +12,12 @@ from __future__ import annotations
 
 from collections.abc import Callable, Collection, Mapping
 from dataclasses import dataclass
+from functools import partial
 
 import numpy as np
 
 from gpswb.core.invariance import InvarianceClass
-from gpswb.core.likelihood import Densities, log_likelihoods
+from gpswb.core.likelihood import Densities, LogLikelihoods
 from gpswb.core.mesh import FloatArray
 from gpswb.core.partition import Region
 from gpswb.core.reference import Reference, estimate_references, spread
@@ -174,6 +175,14 @@ def always(name: InvarianceClass) -> Choice:
     return fixed
 
 
+def margin(evidence: Evidence, name: InvarianceClass, stand_off: float) -> float:
+    """How many times further the best rejected more symmetric class stands off than the class."""
+    symmetric = PARSIMONY[: PARSIMONY.index(name)]
+    rejected = [evidence.stand_off[n] for n in symmetric if not evidence.fits(n)]
+    ratio = min(rejected, default=np.inf) / max(stand_off, 0.01 * evidence.distance["planar"])
+    return float(min(max(ratio, 1.0), _MARGIN_CAP))
+
+
 def recognise(
     number: int,
     sample: RegionSample,
@@ -198,14 +207,13 @@ def recognise(
         refined: see `weigh`; needless where the class is known.
     """
     evidence = weigh(sample, sigma, tolerances, refined=refined)
-    likelihoods = log_likelihoods(
-        sample.vertices, evidence.references, evidence.distance["planar"], densities
+    likelihoods = LogLikelihoods(
+        sample.vertices,
+        partial(dict, evidence.references),
+        evidence.distance["planar"],
+        densities,
     )
     chosen = choose(evidence, likelihoods)
-    rank = PARSIMONY.index(chosen)
-    least = 0.01 * evidence.distance["planar"]
-    rejected = [evidence.stand_off[n] for n in PARSIMONY[:rank] if not evidence.fits(n)]
-    margin = min(rejected, default=np.inf) / max(evidence.stand_off[chosen], least)
     few = len(sample.facets) < tolerances.confident_facets
     surface, situation, intrinsic = describe(
         sample.vertices,
@@ -222,7 +230,7 @@ def recognise(
         situation=situation,
         intrinsic=intrinsic,
         residual=evidence.stand_off[chosen],
-        margin=float(min(max(margin, 1.0), _MARGIN_CAP)),
+        margin=margin(evidence, chosen, evidence.stand_off[chosen]),
         initial_regions=initial_regions,
         log_likelihood=likelihoods,
         undecided=tuple(n for n in PARSIMONY if n != "complex" and evidence.fits(n)) if few else (),

@@ -12,7 +12,8 @@ from gpswb.core.invariance import CLASSES, InvarianceClass
 from gpswb.core.mesh import FloatArray, IntArray
 from gpswb.core.slippage import SlippageMoments, slippable_motions, slippage_moments
 
-_SAMPLES = 2000  # more change the references by less than the tessellation does
+SAMPLES = 2000
+"""Points that are read: more change the references by less than the tessellation does."""
 _FAR = 1e4  # centres and axes further than this many region sizes say "plane" or "prism"
 
 
@@ -59,7 +60,7 @@ def estimate_references(
             "at least 3 points (n, 3) with as many normals are needed, "
             f"not {points.shape} and {normals.shape}"
         )
-    chosen = spread(len(points), _SAMPLES)
+    chosen = spread(len(points), SAMPLES)
     p, n = points[chosen], normals[chosen]
     w = np.ones(len(p)) if weights is None else weights[chosen]
     w = w / max(float(w.sum()), 1e-300)

@@ -5,7 +5,9 @@ from __future__ import annotations
 
 import numpy as np
 
+from gpswb.core.blocks import blocks
 from gpswb.core.core_facets import core_facets
+from gpswb.core.facet_edges import edge_lengths
 from gpswb.core.give_back import give_back
 from gpswb.core.growing import grow_regions
 from gpswb.core.merging import merge_regions
@@ -61,8 +63,7 @@ def _merge(
     if not len(smooth):
         return region
     core = np.where(core_facets(mesh, region, crease), region, -1)
-    ends = mesh.vertices[mesh.pair_edges]
-    edge = float(np.sqrt(((ends[:, 1] - ends[:, 0]) ** 2).sum(axis=1).mean()))
+    edge = float(np.sqrt((edge_lengths(mesh) ** 2).mean()))
     limits = MergeLimits(
         slippable=max(tolerances.slippable, 4.0 * (sigma / edge) ** 2),
         coarse=tolerances.coarse,
@@ -84,13 +85,23 @@ def _state(mesh: Mesh, label: IntArray, count: int, corner_normals: FloatArray) 
     """Moments of each region in a frame centred in the mesh and scaled by its diagonal."""
     centre = 0.5 * (mesh.vertices.min(axis=0) + mesh.vertices.max(axis=0))
     scale = max(mesh.diagonal, 1e-300)
-    points, normals, weights = facet_samples(mesh, corner_normals)
-    weights = weights / scale**2
-    slippage = slippage_moments(
-        (points - centre) / scale, normals, weights, np.repeat(label, 3), count
-    )
-    corners = (mesh.corners.reshape(-1, 3) - centre) / scale
-    quadric = quadric_moments(corners, weights, np.repeat(label, 3), count)
+    motion, metric = np.zeros((count, 6, 6)), np.zeros((count, 6, 6))
+    quadric = np.zeros((count, 10, 10))
+    order = np.argsort(label, kind="stable")
+    order = order[int((label < 0).sum()) :]
+    for part in blocks(len(order)):
+        facets = order[part]
+        # Facets of equal label follow each other, so that a block holds a few labels in a row.
+        low, high = int(label[facets[0]]), int(label[facets[-1]]) + 1
+        own = np.repeat(label[facets] - low, 3)
+        points, normals, weights = facet_samples(mesh, corner_normals, facets)
+        weights = weights / scale**2
+        points = (points - centre) / scale
+        moments = slippage_moments(points, normals, weights, own, high - low)
+        motion[low:high] += moments.motion
+        metric[low:high] += moments.metric
+        corners = (mesh.corners_of(facets).reshape(-1, 3) - centre) / scale
+        quadric[low:high] += quadric_moments(corners, weights, own, high - low)
     facets = np.bincount(label[label >= 0], minlength=count)
     first, second = label[mesh.facet_pairs].T
     inside = (first == second) & (first >= 0)
@@ -102,4 +113,4 @@ def _state(mesh: Mesh, label: IntArray, count: int, corner_normals: FloatArray) 
         ],
         axis=1,
     )
-    return MergeState(slippage.motion, slippage.metric, quadric, facets, turning)
+    return MergeState(motion, metric, quadric, facets, turning)

@@ -4,15 +4,16 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from gpswb.core.blocks import blocks
-from gpswb.core.facet_edges import edges_of_sides
+from gpswb.core.facet_edges import edge_lengths, edges_of_sides
 from gpswb.core.facet_geometry import dot
 from gpswb.core.mesh import BoolArray, FloatArray, IntArray, Mesh
 from gpswb.core.normals import wedge_normals
+from gpswb.core.reference import spread
 from gpswb.core.wedges import find_wedges
 
 _SINGULAR = 1.5  # turns to a neighbour that a normal may be off before it is not believed
@@ -43,6 +44,17 @@ class RegionSample:
     size: float
     turning: float
     edge_length: float
+
+    def thinned(self, limit: int) -> RegionSample:
+        """The same region with at most so many evenly spaced vertices and corners."""
+        corner, vertex = spread(len(self.points), limit), spread(len(self.vertices), limit)
+        return replace(
+            self,
+            vertices=self.vertices[vertex],
+            points=self.points[corner],
+            normals=self.normals[corner],
+            weights=self.weights[corner],
+        )
 
 
 def confined_normals(mesh: Mesh, region: IntArray, crease: BoolArray) -> FloatArray:
@@ -102,10 +114,10 @@ def region_samples(
     for r in range(count):
         inside = order[bounds[r] : bounds[r + 1]]
         weights = np.repeat(mesh.areas[inside] / 3.0, 3)
-        points = mesh.corners[inside].reshape(-1, 3)
+        points = mesh.corners_of(inside).reshape(-1, 3)
         area = float(mesh.areas[inside].sum())
         centre = weights @ points / max(area, 1e-300)
-        spread = weights @ ((points - centre) ** 2).sum(axis=1) / max(area, 1e-300)
+        square = weights @ ((points - centre) ** 2).sum(axis=1) / max(area, 1e-300)
         yield RegionSample(
             facets=inside,
             vertices=mesh.vertices[np.unique(mesh.triangles[inside])],
@@ -113,7 +125,7 @@ def region_samples(
             normals=corner_normals[inside].reshape(-1, 3),
             weights=weights,
             area=area,
-            size=float(np.sqrt(spread)),
+            size=float(np.sqrt(square)),
             turning=float(turning[r]),
             edge_length=float(length[r]),
         )
@@ -122,12 +134,11 @@ def region_samples(
 def _interior_turning(mesh: Mesh, region: IntArray, count: int) -> tuple[FloatArray, FloatArray]:
     """RMS turning angle and RMS length of the edges within each region."""
     first, second = region[mesh.facet_pairs].T
-    inside = (first == second) & (first >= 0)
+    inside = np.flatnonzero((first == second) & (first >= 0))
     label = first[inside]
-    angle = mesh.turning[inside]
-    ends = mesh.vertices[mesh.pair_edges[inside]]
-    squared = ((ends[:, 1] - ends[:, 0]) ** 2).sum(axis=1)
     number = np.maximum(np.bincount(label, minlength=count), 1)
-    turning = np.sqrt(np.bincount(label, weights=angle**2, minlength=count) / number)
-    length = np.sqrt(np.bincount(label, weights=squared, minlength=count) / number)
+    squares = [mesh.turning[inside] ** 2, edge_lengths(mesh, inside) ** 2]
+    turning, length = (
+        np.sqrt(np.bincount(label, weights=square, minlength=count) / number) for square in squares
+    )
     return turning, length

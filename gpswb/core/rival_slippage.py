@@ -122,7 +122,7 @@ class GelfandRule:
         )
         return similarity
 
-    def join(self, kept: int, gone: int) -> None:
+    def join(self, kept: IntArray, gone: IntArray) -> None:
         """Add the moments and sizes."""
         for array in (self._motion, self._metric, self._size):
             array[kept] += array[gone]

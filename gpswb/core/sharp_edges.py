@@ -6,8 +6,7 @@ from __future__ import annotations
 import numpy as np
 
 from gpswb.core.blocks import blocks
-from gpswb.core.facet_edges import edges_of_sides, sides_across
-from gpswb.core.facet_geometry import dot
+from gpswb.core.facet_edges import edge_lengths, edges_of_sides, sides_across
 from gpswb.core.half_edges import next_in_facet
 from gpswb.core.mesh import BoolArray, FloatArray, IntArray, Mesh
 from gpswb.core.tolerances import Tolerances
@@ -54,7 +53,7 @@ def feature_edges(mesh: Mesh, tolerances: Tolerances | None = None) -> BoolArray
     doubtful = np.flatnonzero((angle > tol.never_sharp) & ~sharp)
     if not len(doubtful):
         return sharp
-    rate = np.where(sharp, 0.0, angle) * _lengths(mesh)
+    rate = np.where(sharp, 0.0, angle) * edge_lengths(mesh)
     rate /= np.maximum(2.0 * mesh.areas[mesh.facet_pairs].min(axis=1), 1e-300)
     edge_of, across = edges_of_sides(mesh), sides_across(mesh)
     for part in blocks(len(doubtful)):
@@ -83,7 +82,7 @@ def _expected_turning(
     """
     vertex = mesh.triangles.ravel()
     ends = mesh.pair_edges[edges].T
-    length = _lengths(mesh, edges)
+    length = edge_lengths(mesh, edges)
     expected = np.zeros(len(edges))
     nearby = np.full((12, len(edges)), np.nan)
     column = 0
@@ -119,14 +118,3 @@ def _row_medians(values: FloatArray) -> FloatArray:
     count = np.isfinite(ordered).sum(axis=1)
     median: FloatArray = ordered[np.arange(len(values)), np.maximum(count - 1, 0) // 2]
     return median
-
-
-def _lengths(mesh: Mesh, edges: IntArray | None = None) -> FloatArray:
-    """(e,) lengths of all interior edges, or of some, mm."""
-    ends = mesh.pair_edges if edges is None else mesh.pair_edges[edges]
-    lengths = np.empty(len(ends))
-    for part in blocks(len(ends)):
-        end = mesh.columns.take(ends[part].T, axis=1)
-        side = end[:, 1] - end[:, 0]
-        lengths[part] = np.sqrt(dot(side, side))
-    return lengths

@@ -10,7 +10,7 @@ import numpy as np
 from gpswb.core.mesh import BoolArray, FloatArray, IntArray
 from gpswb.core.quadric_moments import cylinder_stand_off, plane_stand_off, sphere_stand_off
 from gpswb.core.similarity import signature_similarity
-from gpswb.core.slippage import SlippageMoments, slippable_motions
+from gpswb.core.slippage import SlippageMoments, slippable_motions, slippage_values
 
 _SMALL = 0.2  # a region of few facets may lose a motion to one five times its area
 _TINY = 1e-9  # least score of a merge that is allowed at all; confidences only order merges
@@ -68,40 +68,72 @@ class SlippageRule:
     def __init__(self, state: MergeState, k: int, limits: MergeLimits) -> None:
         self._state, self.k, self._limits = state, k, limits
         self._mu, self._twist = slippable_motions(SlippageMoments(state.motion, state.metric))
+        self._motions = self._slips(np.arange(len(self._mu))).sum(axis=1)
 
     def score(self, first: IntArray, second: IntArray) -> FloatArray:
         """Score (p,) of each pair: 0 where the merge is forbidden."""
-        state, limits, k = self._state, self._limits, self.k
-        union = SlippageMoments(
+        score = np.zeros(len(first))
+        # Each question is asked only of the pairs that the cheaper ones before it leave.
+        left = np.flatnonzero(self._may_merge(first, second))
+        if not len(left):
+            return score
+        first, second = first[left], second[left]
+        joint = self._joint_motions(first, second)
+        kept = np.flatnonzero(self._keeps_motions(first, second, joint))
+        left, first, second, joint = left[kept], first[kept], second[kept], joint[kept]
+        if self.k and len(left):
+            angle = self._agreement(first, second)
+            one = self._one_surface(first, second, joint) & (angle >= self._limits.similarity)
+            score[left] = np.where(one, angle * self._order(first, second), 0.0)
+        else:
+            score[left] = self._order(first, second)
+        return score
+
+    def _may_merge(self, first: IntArray, second: IntArray) -> BoolArray:
+        """Whether either region alone lets a pair merge: what is told without their union."""
+        own, other = self._motions[first], self._motions[second]
+        if self.k:
+            may: BoolArray = (own >= self.k) & (other >= self.k)
+        else:
+            # A union without motions takes those of its parts.
+            may = (own == 0) | ~self._sure(first, second)
+            may &= (other == 0) | ~self._sure(second, first)
+        return may
+
+    def _sure(self, one: IntArray, other: IntArray) -> BoolArray:
+        """Whether each region's motions are to be believed, beside another region."""
+        area = self._state.metric[:, 3, 3]
+        enough = self._state.facets[one] >= self._limits.confident_facets
+        sure: BoolArray = enough | (area[one] >= _SMALL * area[other])
+        return sure
+
+    def _keeps_motions(self, first: IntArray, second: IntArray, joint: IntArray) -> BoolArray:
+        """Whether the union has k motions, and all that are to be believed of its parts'."""
+        kept: BoolArray = joint >= self.k if self.k else joint == 0
+        for one, other in ((first, second), (second, first)):
+            kept &= ~(self._sure(one, other) & (self._motions[one] > joint))
+        return kept
+
+    def _union(self, first: IntArray, second: IntArray) -> SlippageMoments:
+        state = self._state
+        return SlippageMoments(
             state.motion[first] + state.motion[second], state.metric[first] + state.metric[second]
         )
-        mu, twist = slippable_motions(union)
-        joint = (mu <= self._limit(state.turning[first] + state.turning[second])).sum(axis=1)
-        each = [self._slips(i).sum(axis=1) for i in (first, second)]
-        area = state.metric[:, 3, 3]
-        sure = [
-            (state.facets[one] >= limits.confident_facets) | (area[one] >= _SMALL * area[other])
-            for one, other in ((first, second), (second, first))
-        ]
-        allowed = joint >= k
-        for motions, protected in zip(each, sure, strict=True):
-            allowed &= (motions >= k) & ~(protected & (motions > joint))
-        if k == 0:
-            allowed &= joint == 0
-            return np.where(allowed, self._order(first, second), 0.0)
-        angle = self._agreement(first, second, union)
-        allowed &= angle >= limits.similarity
-        allowed &= self._one_surface(first, second, union, twist, joint)
-        return np.where(allowed, angle * self._order(first, second), 0.0)
 
-    def join(self, kept: int, gone: int) -> None:
+    def _joint_motions(self, first: IntArray, second: IntArray) -> IntArray:
+        """(p,) number of slippable motions of each union."""
+        limit = self._limit(self._state.turning[first] + self._state.turning[second])
+        joint: IntArray = (slippage_values(self._union(first, second)) <= limit).sum(axis=1)
+        return joint
+
+    def join(self, kept: IntArray, gone: IntArray) -> None:
         """Add the moments and solve anew."""
         state = self._state
         for array in (state.motion, state.metric, state.quadric, state.facets, state.turning):
             array[kept] += array[gone]
-        moments = SlippageMoments(state.motion[[kept]], state.metric[[kept]])
-        mu, twist = slippable_motions(moments)
-        self._mu[kept], self._twist[kept] = mu[0], twist[0]
+        moments = SlippageMoments(state.motion[kept], state.metric[kept])
+        self._mu[kept], self._twist[kept] = slippable_motions(moments)
+        self._motions[kept] = self._slips(kept).sum(axis=1)
 
     def _limit(self, turning: FloatArray) -> FloatArray:
         """(p, 1) largest mu of a slippable motion."""
@@ -120,8 +152,9 @@ class SlippageRule:
         order: FloatArray = np.maximum(share[first] * share[second], _TINY)
         return order
 
-    def _agreement(self, first: IntArray, second: IntArray, union: SlippageMoments) -> FloatArray:
+    def _agreement(self, first: IntArray, second: IntArray) -> FloatArray:
         """G(sigma_{k+1}) of the slippable motions under the metric of the union."""
+        union = self._union(first, second)
         metric = union.metric / np.maximum(union.weight, 1e-300)[:, None, None]
         lower = np.swapaxes(np.linalg.cholesky(metric + 1e-10 * np.eye(6)), 1, 2)
         bases = []
@@ -132,15 +165,9 @@ class SlippageRule:
             bases.append(basis * slips[:, None, :])
         return signature_similarity(bases[0], bases[1], self.k, self._limits.signature_width)
 
-    def _one_surface(
-        self,
-        first: IntArray,
-        second: IntArray,
-        union: SlippageMoments,
-        twist: FloatArray,
-        joint: IntArray,
-    ) -> BoolArray:
+    def _one_surface(self, first: IntArray, second: IntArray, joint: IntArray) -> BoolArray:
         """Whether unions that slip in two ways or more lie on one plane, sphere or cylinder."""
+        union = self._union(first, second)
         quadric = self._state.quadric[first] + self._state.quadric[second]
         least = np.full(len(first), np.inf)
         least[joint < 2] = 0.0
@@ -151,7 +178,8 @@ class SlippageRule:
             )
         two = joint == 2
         if two.any():
-            point, direction = _axes(twist[two, :, :2])
+            _, twist = slippable_motions(SlippageMoments(union.motion[two], union.metric[two]))
+            point, direction = _axes(twist[:, :, :2])
             least[two] = cylinder_stand_off(quadric[two], point, direction)
         allowed: BoolArray = least <= self._limits.stand_off * union.gyration
         return allowed

@@ -28,8 +28,8 @@ class Numbers:
     def score(self, first: IntArray, second: IntArray) -> FloatArray:
         return np.maximum(0.0, 1.0 - np.abs(self.values[first] - self.values[second]))
 
-    def join(self, kept: int, gone: int) -> None:
-        self.joins.append((kept, gone))
+    def join(self, kept: IntArray, gone: IntArray) -> None:
+        self.joins += zip(kept.tolist(), gone.tolist(), strict=True)
         self.values[kept] = 0.5 * (self.values[kept] + self.values[gone])
 
 

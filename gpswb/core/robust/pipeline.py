@@ -9,11 +9,12 @@ import numpy as np
 
 from gpswb.core.initial import InitialPartition, initial_partition
 from gpswb.core.invariance import InvarianceClass
+from gpswb.core.known_surface import known_region
 from gpswb.core.mesh import BoolArray, IntArray, Mesh
 from gpswb.core.noisy.segmentation import segment
 from gpswb.core.partition import Partition, Region
 from gpswb.core.projection import number_facet_regions
-from gpswb.core.recognition import always, recognise
+from gpswb.core.recognition import recognise
 from gpswb.core.region_samples import confined_normals, region_samples
 from gpswb.core.robust.absorb import absorb_pieces
 from gpswb.core.robust.competition import compete
@@ -195,30 +196,19 @@ def _recognise(
         if number < len(surfaces):
             grown = surfaces[number]
         elif flat[sample.facets[0]]:
-            surface = fit_facets(mesh, "plane", sample.facets)
-            grown = Grown("plane", surface, sample.facets)
+            grown = Grown("plane", fit_facets(mesh, "plane", sample.facets), sample.facets)
         else:
             regions.append(recognise(r, sample, merged, sigma, tolerances, choose=by_gap))
             continue
         name = CLASS_OF[grown.kind]
-        choose = always(name)
         off = stand_off(grown, sample.vertices)
-        weak = sigma == 0.0 and grown.kind != "plane" and sagitta(mesh, grown) < EXACT * off
-        if weak:
+        if sigma == 0.0 and grown.kind != "plane" and sagitta(mesh, grown) < EXACT * off:
             choose = unless_far_better(name, off, sample.vertices)
-        found = recognise(r, sample, merged, sigma, tolerances, choose=choose, refined=weak)
-        if found.invariance_class != name:
-            regions.append(found)
-            continue
-        kind, situation, intrinsic, rms = describe_surface(grown, sample.vertices)
-        regions.append(
-            replace(
-                found,
-                surface=kind,
-                situation=situation,
-                intrinsic=intrinsic,
-                residual=rms,
-                undecided=(),
-            )
-        )
+            found = recognise(r, sample, merged, sigma, tolerances, choose=choose)
+            if found.invariance_class != name:
+                regions.append(found)
+                continue
+        surface, situation, intrinsic, rms = describe_surface(grown, sample.vertices)
+        description = (surface, situation, intrinsic)
+        regions.append(known_region(r, sample, merged, name, description, rms, sigma, tolerances))
     return tuple(regions)

@@ -7,6 +7,8 @@ from itertools import combinations
 
 import numpy as np
 
+from gpswb.core.blocks import blocks
+from gpswb.core.facet_geometry import dot
 from gpswb.core.mesh import BoolArray, FloatArray, IntArray, Mesh
 from gpswb.core.robust.topology import FacetGraph
 
@@ -36,38 +38,53 @@ def coplanar_polygons(mesh: Mesh, graph: FacetGraph, tolerance: float) -> IntArr
         (m,) int64 polygon of each facet, 0-based.
     """
     m = len(mesh.triangles)
-    a, b = graph.pairs.T
-    apex = _apexes(mesh, graph)
-    edge = mesh.vertices[graph.pair_edges]
-    direction = edge[:, 1] - edge[:, 0]
-    length = np.maximum(np.linalg.norm(direction, axis=1), 1e-300)
-    altitude = 2 * mesh.areas[graph.pairs] / length[:, None]
-    height = np.abs(
-        np.stack(
-            [
-                np.einsum(
-                    "ek,ek->e", mesh.facet_normals[a], mesh.vertices[apex[:, 1]] - edge[:, 0]
-                ),
-                np.einsum(
-                    "ek,ek->e", mesh.facet_normals[b], mesh.vertices[apex[:, 0]] - edge[:, 0]
-                ),
-            ],
-            axis=1,
-        )
-    )
-    # A sliver's plane is only known as well as its altitude: it tilts by tolerance / altitude.
-    lever = altitude[:, ::-1] / np.maximum(altitude, 1e-300)
-    joined = (height <= tolerance * np.maximum(1.0, lever)).all(axis=1)
-    turn = FLAT + 0.04 * tolerance / np.maximum(altitude.min(axis=1), 1e-300)
-    # Where a thin ring is meshed more coarsely than it is wide, facets fold over in their plane.
-    folded = np.pi - np.abs(graph.pair_dihedral)
-    joined &= np.minimum(np.abs(graph.pair_dihedral), folded) < np.minimum(turn, 0.5)
+    joined = np.empty(len(graph.pairs), dtype=bool)
+    normals = np.ascontiguousarray(mesh.facet_normals.T)
+    for part in blocks(len(joined)):
+        joined[part] = _coplanar(mesh, normals, graph, part, tolerance)
     label = graph.components(joined, m)
     # Small steps add up along a gently curved surface: such chains fall apart again.
     bad = _deviation(mesh, label) > 3.0 * tolerance
     loose = bad[label]
     label[loose] = label.max() + 1 + np.arange(int(loose.sum()))
     return np.unique(label, return_inverse=True)[1].reshape(-1).astype(np.int64)
+
+
+def _coplanar(
+    mesh: Mesh, normals: FloatArray, graph: FacetGraph, part: slice, tolerance: float
+) -> BoolArray:
+    """Which pairs of facets, of a slice of them, lie in one plane.
+
+    Args:
+        mesh: the mesh.
+        normals: (3, m) facet normals, axis by axis.
+        graph: its adjacency.
+        part: which pairs.
+        tolerance: see `coplanar_polygons`.
+    """
+    pairs, ends = graph.pairs[part], graph.pair_edges[part]
+    start = mesh.columns.take(ends[:, 0], axis=1)
+    side = mesh.columns.take(ends[:, 1], axis=1) - start
+    length = np.maximum(np.sqrt(dot(side, side)), 1e-300)
+    altitude = 2.0 * mesh.areas[pairs].T / length
+    # The vertex of either facet that isn't on their edge, and its height over the other facet.
+    apex = mesh.triangles[pairs].sum(axis=2) - ends.sum(axis=1)[:, None]
+    height = [
+        np.abs(
+            dot(
+                normals.take(pairs[:, k], axis=1), mesh.columns.take(apex[:, 1 - k], axis=1) - start
+            )
+        )
+        for k in (0, 1)
+    ]
+    # A sliver's plane is only known as well as its altitude: it tilts by tolerance / altitude.
+    lever = altitude[::-1] / np.maximum(altitude, 1e-300)
+    joined = (np.array(height) <= tolerance * np.maximum(1.0, lever)).all(axis=0)
+    turn = FLAT + 0.04 * tolerance / np.maximum(altitude.min(axis=0), 1e-300)
+    # Where a thin ring is meshed more coarsely than it is wide, facets fold over in their plane.
+    angle = np.abs(graph.pair_dihedral[part])
+    joined &= np.minimum(angle, np.pi - angle) < np.minimum(turn, 0.5)
+    return np.asarray(joined, dtype=bool)
 
 
 def certain_planes(mesh: Mesh, graph: FacetGraph, polygon: IntArray, tolerance: float) -> BoolArray:
@@ -131,27 +148,21 @@ def _off_line(points: FloatArray, p: FloatArray, q: FloatArray) -> FloatArray:
     return off
 
 
-def _apexes(mesh: Mesh, graph: FacetGraph) -> IntArray:
-    """(e, 2) the vertex of either facet of a pair that isn't on their edge."""
-    corner = mesh.triangles[graph.pairs]
-    apex: IntArray = corner.sum(axis=2) - graph.pair_edges.sum(axis=1)[:, None]
-    return apex
-
-
 def _deviation(mesh: Mesh, label: IntArray) -> FloatArray:
     """(k,) largest distance of a component's vertices from its mean plane."""
     k = int(label.max()) + 1
-    weighted = mesh.facet_normals * mesh.areas[:, None]
-    normal = np.stack([np.bincount(label, weighted[:, i], k) for i in range(3)], axis=1)
-    normal = normal / np.maximum(np.linalg.norm(normal, axis=1), 1e-300)[:, None]
-    count = np.bincount(label, minlength=k)
-    centre = np.stack([np.bincount(label, mesh.centroids[:, i], k) for i in range(3)], axis=1)
-    centre = centre / np.maximum(count, 1)[:, None]
-    x = mesh.corners - centre[label][:, None]
-    height = np.einsum("mck,mk->mc", x, normal[label])
-    top = np.full(k, -np.inf)
-    bottom = np.full(k, np.inf)
-    np.maximum.at(top, label, height.max(axis=1))
-    np.minimum.at(bottom, label, height.min(axis=1))
+    normal = np.array(
+        [np.bincount(label, mesh.facet_normals[:, i] * mesh.areas, k) for i in range(3)]
+    )
+    normal /= np.maximum(np.sqrt(dot(normal, normal)), 1e-300)
+    count = np.maximum(np.bincount(label, minlength=k), 1)
+    centre = np.array([np.bincount(label, mesh.centroids[:, i], k) for i in range(3)]) / count
+    top, bottom = np.full(k, -np.inf), np.full(k, np.inf)
+    for part in blocks(len(label)):
+        own = label[part]
+        corner = mesh.columns.take(mesh.triangles[part].T, axis=1)
+        height = dot(corner - centre.take(own, axis=1)[:, None], normal.take(own, axis=1)[:, None])
+        np.maximum.at(top, own, height.max(axis=0))
+        np.minimum.at(bottom, own, height.min(axis=0))
     deviation: FloatArray = 0.5 * (top - bottom)
     return deviation

@@ -6,7 +6,11 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
+from scipy.sparse import coo_array
+from scipy.sparse.csgraph import connected_components
 
+from gpswb.core.blocks import blocks
+from gpswb.core.facet_geometry import dot
 from gpswb.core.mesh import BoolArray, FloatArray, IntArray, Mesh
 
 
@@ -32,32 +36,38 @@ class FacetGraph:
     def of(cls, mesh: Mesh) -> FacetGraph:
         """The adjacency of a mesh."""
         m = len(mesh.triangles)
-        pairs, edges = mesh.facet_pairs, mesh.pair_edges
-        n = mesh.facet_normals
-        a, b = pairs.T if len(pairs) else np.zeros((2, 0), dtype=np.int64)
-        cross = np.linalg.norm(np.cross(n[a], n[b]), axis=1)
-        angle = np.arctan2(cross, np.einsum("ek,ek->e", n[a], n[b]))
-        # A neighbour below the facet's plane makes the edge convex.
-        below = np.einsum("ek,ek->e", n[a], mesh.centroids[b] - mesh.centroids[a]) < 0
-        angle = np.where(below, angle, -angle)
-        neighbour = np.full((m, 3), -1, dtype=np.int64)
-        dihedral = np.zeros((m, 3))
-        for facet, other in ((a, b), (b, a)):
-            corner = mesh.triangles[facet]
-            # The edge opposite to the corner that isn't on it; column k is the edge (k, k+1).
-            on = (corner[:, :, None] == edges[:, None, :]).any(axis=2)
-            opposite = np.argmin(on, axis=1)
-            column = (opposite + 1) % 3
-            neighbour[facet, column] = other
-            dihedral[facet, column] = angle
-        return cls(neighbour, dihedral, pairs, edges, angle)
+        angle = _signed_turning(mesh)
+        neighbour = np.full(3 * m, -1, dtype=np.int64)
+        dihedral = np.zeros(3 * m)
+        for side in (0, 1):
+            half = mesh.half_edge_pairs[:, side]
+            neighbour[half] = mesh.facet_pairs[:, 1 - side]
+            dihedral[half] = angle
+        return cls(
+            neighbour.reshape(m, 3),
+            dihedral.reshape(m, 3),
+            mesh.facet_pairs,
+            mesh.pair_edges,
+            angle,
+        )
 
     def components(self, joined: BoolArray, m: int) -> IntArray:
         """(m,) component of each facet where ``joined`` (e,) says which pairs hang together."""
-        from scipy.sparse import coo_array
-        from scipy.sparse.csgraph import connected_components
-
         p = self.pairs[joined]
         graph = coo_array((np.ones(len(p), dtype=np.int8), (p[:, 0], p[:, 1])), shape=(m, m))
         label: IntArray = connected_components(graph, directed=False)[1].astype(np.int64)
         return label
+
+
+def _signed_turning(mesh: Mesh) -> FloatArray:
+    """(e,) turning angle of each interior edge, rad, negative where the edge is concave."""
+    angle = np.empty(len(mesh.facet_pairs))
+    normals = np.ascontiguousarray(mesh.facet_normals.T)
+    centroids = np.ascontiguousarray(mesh.centroids.T)
+    for part in blocks(len(angle)):
+        first, second = mesh.facet_pairs[part].T
+        toward = centroids.take(second, axis=1) - centroids.take(first, axis=1)
+        # A neighbour below the facet's plane makes the edge convex.
+        below = dot(normals.take(first, axis=1), toward) < 0.0
+        angle[part] = np.where(below, mesh.turning[part], -mesh.turning[part])
+    return angle
