@@ -26,12 +26,33 @@ def sides_across(mesh: Mesh) -> IntArray:
     return across
 
 
-def edge_lengths(mesh: Mesh, edges: IntArray | None = None) -> FloatArray:
+def edge_lengths(mesh: Mesh, edges: IntArray | slice = slice(None)) -> FloatArray:
     """(e,) lengths of all interior edges, or of some, mm."""
-    ends = mesh.pair_edges if edges is None else mesh.pair_edges[edges]
+    ends = mesh.pair_edges[edges]
     lengths = np.empty(len(ends))
     for part in blocks(len(ends)):
         end = mesh.columns.take(ends[part].T, axis=1)
         side = end[:, 1] - end[:, 0]
         lengths[part] = np.sqrt(dot(side, side))
     return lengths
+
+
+def heights_across(mesh: Mesh, normals: FloatArray, part: slice) -> FloatArray:
+    """How far the two facets of an edge stand off each other's planes, block by block.
+
+    Args:
+        mesh: the mesh.
+        normals: (3, m) facet normals, axis by axis.
+        part: rows of ``mesh.facet_pairs``.
+
+    Returns:
+        (2, k) mm: distance of the second facet's free vertex from the first facet's plane, and the
+        other way round.
+    """
+    pairs, ends = mesh.facet_pairs[part].T, mesh.pair_edges[part].T
+    start = mesh.columns.take(ends[0], axis=1)
+    # The vertex of either facet that isn't on their edge.
+    apex = mesh.triangles.take(pairs, axis=0).sum(axis=2) - ends.sum(axis=0)
+    toward = mesh.columns.take(apex[::-1], axis=1) - start[:, None]
+    height: FloatArray = np.abs(dot(normals.take(pairs, axis=1), toward))
+    return height

@@ -29,8 +29,6 @@ class InitialPartition:
 
     Args:
         crease: (e,) bool feature edges, aligned with ``mesh.facet_pairs``.
-        wedges: corners joined across all other edges.
-        curvature: at the wedges.
         facet_type: (m,) int shape type -4..5 of each facet.
         region: (m,) int initial region; -1 for degenerate facets.
         count: number of initial regions.
@@ -41,8 +39,6 @@ class InitialPartition:
     """
 
     crease: BoolArray
-    wedges: Wedges
-    curvature: Curvature
     facet_type: IntArray
     region: IntArray
     count: int
@@ -65,9 +61,7 @@ def initial_partition(
     """
     with clock.stage("curvature"):
         crease = feature_edges(mesh, tolerances)
-        wedges = find_wedges(mesh, crease)
-        normals = wedge_normals(mesh, wedges)
-        curvature = estimate_curvature(mesh, wedges, normals, sweeps=noise_sweeps(mesh, sigma))
+        wedges, curvature = curvature_between(mesh, crease, sigma)
     with clock.stage("initial"):
         types = _facet_types(mesh, curvature, sigma, tolerances)
         smooth = mesh.facet_pairs[~crease]
@@ -80,8 +74,6 @@ def initial_partition(
         part, _ = grow_regions(np.zeros(len(mesh.vertices), np.int64), mesh.pair_edges[crease])
     return InitialPartition(
         crease=crease,
-        wedges=wedges,
-        curvature=curvature,
         facet_type=types,
         region=region,
         count=count,
@@ -92,12 +84,23 @@ def initial_partition(
     )
 
 
+def curvature_between(mesh: Mesh, crease: BoolArray, sigma: float) -> tuple[Wedges, Curvature]:
+    """Wedges between creases and the curvature there, averaged as the noise asks for.
+
+    Args:
+        mesh: the mesh.
+        crease: (e,) bool feature edges.
+        sigma: noise of the vertices, mm.
+    """
+    wedges = find_wedges(mesh, crease)
+    normals = wedge_normals(mesh, wedges)
+    return wedges, estimate_curvature(mesh, wedges, normals, sweeps=noise_sweeps(mesh, sigma))
+
+
 def unvoted_types(mesh: Mesh, sigma: float, tolerances: Tolerances | None = None) -> IntArray:
     """(m,) shape type of each facet before voting, for a picture of what voting mends."""
     tolerances = tolerances or Tolerances()
-    wedges = find_wedges(mesh, feature_edges(mesh, tolerances))
-    normals = wedge_normals(mesh, wedges)
-    curvature = estimate_curvature(mesh, wedges, normals, sweeps=noise_sweeps(mesh, sigma))
+    _, curvature = curvature_between(mesh, feature_edges(mesh, tolerances), sigma)
     return _facet_types(mesh, curvature, sigma, tolerances)
 
 

