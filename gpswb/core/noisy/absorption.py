@@ -8,16 +8,15 @@ from collections.abc import Sequence
 import numpy as np
 
 from gpswb.core.mesh import IntArray
-from gpswb.core.noisy.models import Model
+from gpswb.core.noisy.models import Surface
 from gpswb.core.noisy.noisy_mesh import NoisyMesh
-from gpswb.core.robust.surfaces import distance
 
 FEW = 30
 """Facets that may be unexplained together by chance: a vertex that is off by four sigma spoils the
 six facets around it."""
 
 
-def absorb(noisy: NoisyMesh, models: Sequence[Model], label: IntArray) -> IntArray:
+def absorb(noisy: NoisyMesh, models: Sequence[Surface], label: IntArray) -> IntArray:
     """Give small groups of unexplained facets, from the rim inwards, to the nearest neighbour.
 
     Args:
@@ -40,8 +39,8 @@ def absorb(noisy: NoisyMesh, models: Sequence[Model], label: IntArray) -> IntArr
         taken = label.copy()
         for i in np.unique(label[other[rim]]):
             at = np.unique(facet[rim & (label[other] == i)])
-            corners = noisy.mesh.corners[at].reshape(1, -1, 3)
-            d = distance(models[i].kind, models[i].surface[None], corners)[0].reshape(-1, 3)
+            corners = noisy.mesh.corners[at].reshape(-1, 3)
+            d = models[i].distance(corners)[0].reshape(-1, 3)
             cost = (d**2).sum(axis=1)
             nearer = cost < best[at]
             best[at[nearer]] = cost[nearer]

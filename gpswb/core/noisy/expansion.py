@@ -16,9 +16,8 @@ import numpy as np
 
 from gpswb.core.mesh import BoolArray, FloatArray, IntArray
 from gpswb.core.noisy.best_move import best_move
-from gpswb.core.noisy.models import Model
+from gpswb.core.noisy.models import Surface
 from gpswb.core.noisy.noisy_mesh import NoisyMesh
-from gpswb.core.robust.surfaces import distance
 from gpswb.core.robust.topology import FacetGraph
 
 BORDER = 1.0
@@ -47,7 +46,7 @@ REACH = 6
 """Facets beyond its border that a label may take in one move."""
 
 
-def facet_costs(noisy: NoisyMesh, model: Model, facets: IntArray) -> FloatArray:
+def facet_costs(noisy: NoisyMesh, model: Surface, facets: IntArray) -> FloatArray:
     """(k,) nats for facets to lie on a surface.
 
     A vertex has about two facets of its own: a facet carries half of its corners' mean, so that the
@@ -81,13 +80,13 @@ class _Placed:
         self.normal[rows] = other.normal
 
 
-def _placed(noisy: NoisyMesh, model: Model, facets: IntArray) -> _Placed:
+def _placed(noisy: NoisyMesh, model: Surface, facets: IntArray) -> _Placed:
     mesh = noisy.mesh
-    corners = mesh.corners[facets].reshape(1, -1, 3)
-    d = distance(model.kind, model.surface[None], corners)[0].reshape(-1, 3) / noisy.sigma
+    # Facets share corners: each vertex is measured once.
+    vertices, corner = np.unique(mesh.triangles[facets], return_inverse=True)
+    d = (model.distance(mesh.vertices[vertices])[0] / noisy.sigma)[corner.reshape(-1, 3)]
     cost = 0.25 * np.minimum(d**2, OUTSIDE**2).mean(axis=1)
-    toward = distance(model.kind, model.surface[None], mesh.centroids[facets][None])[1][0]
-    toward = model.side * toward
+    toward = model.side * model.distance(mesh.centroids[facets])[1]
     cosine = np.einsum("ik,ik->i", toward, noisy.normals[facets])
     cost[cosine < np.cos(TILT)] = 0.25 * OUTSIDE**2
     return _Placed(cost, model.side * d, toward)
@@ -119,7 +118,7 @@ def border_prices(noisy: NoisyMesh) -> FloatArray:
     return price
 
 
-def expand(noisy: NoisyMesh, models: Sequence[Model], label: IntArray, sweeps: int = 2) -> IntArray:
+def expand(noisy: NoisyMesh, models: Sequence[Surface], label: IntArray, sweeps: int = 2) -> IntArray:
     """Label facets anew by expansion moves of every model.
 
     Args:

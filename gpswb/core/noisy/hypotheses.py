@@ -9,7 +9,6 @@ from gpswb.core.mesh import BoolArray, IntArray
 from gpswb.core.noisy.models import Model, fit_models, refit
 from gpswb.core.noisy.noisy_mesh import NoisyMesh
 from gpswb.core.robust.patches import patches_around
-from gpswb.core.robust.surfaces import distance
 
 RINGS = (20, 12, 7, 4, 2)
 """Steps from the seed facet to the rim of its patch. Large patches come first: they tell kinds
@@ -169,7 +168,7 @@ def lies_on(noisy: NoisyMesh, model: Model, averaged: bool) -> BoolArray:
     around: where a surface drifts away, neighbours are all off to the same side.
     """
     mesh = noisy.mesh
-    d = distance(model.kind, model.surface[None], mesh.vertices[None])[0][0] / noisy.sigma
+    d = model.distance(mesh.vertices)[0] / noisy.sigma
     near = np.abs(d) <= GATE
     ok: BoolArray = near[mesh.triangles].all(axis=1)
     if averaged:
@@ -177,7 +176,7 @@ def lies_on(noisy: NoisyMesh, model: Model, averaged: bool) -> BoolArray:
         drift = noisy.around @ (d * near) / np.sqrt(np.maximum(weight, 1.0))
         ok &= np.abs(drift[mesh.triangles].mean(axis=1)) <= GATE
     index = np.flatnonzero(ok)
-    toward = distance(model.kind, model.surface[None], mesh.centroids[index][None])[1][0]
+    toward = model.distance(mesh.centroids[index])[1]
     cosine = model.side * np.einsum("ik,ik->i", toward, noisy.normals[index])
     ok[index[cosine < np.cos(TILT)]] = False
     return ok

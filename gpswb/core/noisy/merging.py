@@ -9,8 +9,7 @@ import numpy as np
 
 from gpswb.core.mesh import FloatArray, IntArray
 from gpswb.core.noisy.expansion import border_prices, facet_costs
-from gpswb.core.noisy.models import Model, fit_models
-from gpswb.core.noisy.models import price as price_of
+from gpswb.core.noisy.models import Model, Surface, fit_models
 from gpswb.core.noisy.noisy_mesh import NoisyMesh
 
 SMOOTH = 0.5
@@ -34,7 +33,7 @@ def merge_models(
     tried: set[tuple[int, int]] = set()
     while True:
         groups = facets_of(label, len(models))
-        candidates = [p for p in _smooth_neighbours(noisy, label) if p not in tried]
+        candidates = [p for p in smooth_neighbours(noisy, label) if p not in tried]
         tried.update(candidates)
         if not candidates:
             break
@@ -44,9 +43,9 @@ def merge_models(
         for (a, b), union, model in zip(candidates, unions, fitted, strict=True):
             if model is None or not model.explains:
                 continue
-            before = _length(noisy, models[a], groups[a])
-            before += _length(noisy, models[b], groups[b])
-            gain = before - _length(noisy, model, union)
+            before = length_of(noisy, models[a], groups[a])
+            before += length_of(noisy, models[b], groups[b])
+            gain = before - length_of(noisy, model, union)
             if gain > 0.0:
                 gains.append((gain, a, b, model))
         used: set[int] = set()
@@ -62,7 +61,7 @@ def merge_models(
     return models, label
 
 
-def drop_models(noisy: NoisyMesh, models: Sequence[Model], label: IntArray) -> IntArray:
+def drop_models(noisy: NoisyMesh, models: Sequence[Surface], label: IntArray) -> IntArray:
     """Give regions away whose neighbours describe them for less than they cost; smallest first."""
     label = label.copy()
     graph = noisy.graph
@@ -86,7 +85,7 @@ def drop_models(noisy: NoisyMesh, models: Sequence[Model], label: IntArray) -> I
         trial[facets] = around[cost.argmin(axis=0)]
         border -= _border(trial, graph.pairs[touched], price[touched])
         worth = 2.0 * (least.sum() - own.sum() - border)
-        if worth < price_of(models[i].kind, len(noisy.vertices_of(facets))) + REGION:
+        if worth < models[i].price(len(noisy.vertices_of(facets))) + REGION:
             label = trial
     return label
 
@@ -103,7 +102,7 @@ def facets_of(label: IntArray, count: int) -> list[IntArray]:
     return [order[bounds[i] : bounds[i + 1]] for i in range(count)]
 
 
-def _smooth_neighbours(noisy: NoisyMesh, label: IntArray) -> list[tuple[int, int]]:
+def smooth_neighbours(noisy: NoisyMesh, label: IntArray) -> list[tuple[int, int]]:
     """Pairs of regions that meet without a crease along most of their border."""
     pair = np.sort(label[noisy.graph.pairs], axis=1)
     border = (pair[:, 0] != pair[:, 1]) & (pair[:, 0] >= 0)
@@ -115,8 +114,8 @@ def _smooth_neighbours(noisy: NoisyMesh, label: IntArray) -> list[tuple[int, int
     return [(int(a), int(b)) for a, b in unique[mean < SMOOTH]]
 
 
-def _length(noisy: NoisyMesh, model: Model, facets: IntArray) -> float:
+def length_of(noisy: NoisyMesh, model: Surface, facets: IntArray) -> float:
     """Description length of a region on a surface, in the unit of chi-square."""
     n = len(noisy.vertices_of(facets))
     chi = 2.0 * float(facet_costs(noisy, model, facets).sum())
-    return chi + price_of(model.kind, n) + REGION
+    return chi + model.price(n) + REGION

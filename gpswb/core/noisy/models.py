@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Protocol
 
 import numpy as np
 
@@ -45,6 +46,20 @@ AGREEMENT = 0.6
 explains their positions, but half of its normals point the wrong way."""
 
 
+class Surface(Protocol):
+    """What labelling asks of a surface."""
+
+    @property
+    def side(self) -> float:
+        """+1 or -1, the side of the surface that is outside."""
+
+    def distance(self, points: FloatArray) -> tuple[FloatArray, FloatArray]:
+        """(n,) mm signed distances of points (n, 3), and (n, 3) unit normals of the surface there."""
+
+    def price(self, count: int) -> float:
+        """What the surface costs on so many vertices besides its chi-square."""
+
+
 @dataclass(frozen=True, eq=False)
 class Model:
     """A surface and how well it explains its vertices.
@@ -69,6 +84,15 @@ class Model:
         """Whether the distances are those of noise."""
         freedom = max(self.count - UNKNOWNS[self.kind], 1)
         return self.chi <= EXCESS + SURE * float(np.sqrt(2.0 / freedom))
+
+    def distance(self, points: FloatArray) -> tuple[FloatArray, FloatArray]:
+        """As `Surface.distance`."""
+        d, normal = distance(self.kind, self.surface[None], points[None])
+        return d[0], normal[0]
+
+    def price(self, count: int) -> float:
+        """As `Surface.price`."""
+        return price(self.kind, count)
 
 
 def fit_models(

@@ -3,15 +3,20 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 
+from gpswb.core.invariance import InvarianceClass
 from gpswb.core.mesh import IntArray, Mesh
 from gpswb.core.noisy.absorption import absorb
 from gpswb.core.noisy.expansion import expand
 from gpswb.core.noisy.hypotheses import find_models, lies_on
 from gpswb.core.noisy.merging import drop_models, facets_of, merge_models
-from gpswb.core.noisy.models import SAMPLE, Model, fit_models
+from gpswb.core.noisy.models import SAMPLE, Model, Surface, fit_models
 from gpswb.core.noisy.noisy_mesh import NoisyMesh
+from gpswb.core.noisy.swept import Swept
+from gpswb.core.noisy.sweeping import join_swept
 from gpswb.core.robust.growth import Grown, fit_facets
 
 CYCLES = 3
@@ -27,16 +32,19 @@ CORE = 0.6
 """Share of a region that its surface must explain for the rest to be left out of the fit."""
 
 
-def segment(mesh: Mesh, sigma: float) -> tuple[list[Grown], IntArray]:
-    """Divide a noisy mesh into regions that lie on simple surfaces, and others.
+def segment(
+    mesh: Mesh, sigma: float
+) -> tuple[list[Grown], IntArray, dict[int, InvarianceClass]]:
+    """Divide a noisy mesh into regions that lie on simple surfaces, swept ones, and others.
 
     Args:
         mesh: the mesh.
         sigma: noise of the vertices, mm, > 0.
 
     Returns:
-        The surfaces with their facets, and (m,) int64 labels: the number of each facet's surface;
-        for connected facets that none explains a number of their own beyond these.
+        The simple surfaces with their facets; (m,) int64 labels: the number of each facet's
+        surface, and numbers of their own beyond these for swept regions and for connected facets
+        that no surface explains; the classes of the swept ones by label.
     """
     noisy = NoisyMesh.of(mesh, sigma)
     models, label = find_models(noisy)
@@ -45,16 +53,41 @@ def segment(mesh: Mesh, sigma: float) -> tuple[list[Grown], IntArray]:
         models, label = _refitted(noisy, models, label)
         models, label = merge_models(noisy, models, label)
         label = drop_models(noisy, models, label)
-    label = expand(noisy, models, label)
-    label = absorb(noisy, models, label)
-    models, label = _refitted(noisy, models, label, last=True)
-    groups = facets_of(label, len(models))
+    joined, label = join_swept(noisy, models, label)
+    label = expand(noisy, joined, label)
+    label = drop_models(noisy, joined, label)
+    label = absorb(noisy, joined, label)
+    return _described(noisy, joined, label)
+
+
+def _described(
+    noisy: NoisyMesh, found: Sequence[Surface], label: IntArray
+) -> tuple[list[Grown], IntArray, dict[int, InvarianceClass]]:
+    """What `segment` returns."""
+    simple = np.array([isinstance(surface, Model) for surface in found] + [False])
+    models = [surface for surface in found if isinstance(surface, Model)]
+    rank = np.append(np.cumsum(simple[:-1]) - 1, -1)
+    models, out = _refitted(noisy, models, np.where(simple[label], rank[label], -1), last=True)
+    groups = facets_of(out, len(models))
     surfaces = [Grown(m.kind, m.surface, g) for m, g in zip(models, groups, strict=True)]
-    for facets in _unexplained(noisy, label):
-        label[facets] = len(surfaces)
+    swept = [
+        (surface.invariance_class, np.flatnonzero(label == i))
+        for i, surface in enumerate(found)
+        if isinstance(surface, Swept)
+    ]
+    loose = _unexplained(noisy, label)
+    for facets in loose:
         if len(facets) < FEW:
-            surfaces.append(Grown("plane", fit_facets(mesh, "plane", facets), facets))
-    return surfaces, label
+            out[facets] = len(surfaces)
+            surfaces.append(Grown("plane", fit_facets(noisy.mesh, "plane", facets), facets))
+    names: dict[int, InvarianceClass] = {}
+    for name, facets in swept:
+        names[len(surfaces) + len(names)] = name
+        out[facets] = len(surfaces) + len(names) - 1
+    count = len(surfaces) + len(names)
+    for number, facets in enumerate(f for f in loose if len(f) >= FEW):
+        out[facets] = count + number
+    return surfaces, out, names
 
 
 def _unexplained(noisy: NoisyMesh, label: IntArray) -> list[IntArray]:

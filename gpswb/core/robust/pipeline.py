@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import replace
 
 import numpy as np
@@ -68,13 +69,14 @@ def partition_robust(
     with clock.stage("refine"):
         if 3.0 * sigma > TIERS[-1] * mesh.diagonal:
             # Nothing lies on anything to within the widest tolerance.
-            surfaces, label = segment(mesh, sigma)
+            surfaces, label, names = segment(mesh, sigma)
             flat = np.zeros(len(label), dtype=bool)
         else:
             surfaces, label, flat = _nominal_regions(mesh, first, sigma, tol, clock)
+            names = {}
     with clock.stage("recognise"):
         region, count = number_facet_regions(label, mesh)
-        regions = _recognise(mesh, first, region, count, label, flat, surfaces, sigma, tol)
+        regions = _recognise(mesh, first, region, count, label, flat, surfaces, names, sigma, tol)
     return Partition(
         mesh=mesh,
         shape_type=first.facet_type,
@@ -185,6 +187,7 @@ def _recognise(
     label: IntArray,
     flat: BoolArray,
     surfaces: list[Grown],
+    names: Mapping[int, InvarianceClass],
     sigma: float,
     tolerances: Tolerances,
 ) -> tuple[Region, ...]:
@@ -198,7 +201,8 @@ def _recognise(
         elif flat[sample.facets[0]]:
             grown = Grown("plane", fit_facets(mesh, "plane", sample.facets), sample.facets)
         else:
-            regions.append(recognise(r, sample, merged, sigma, tolerances, choose=by_gap))
+            choose = always(names[number]) if number in names else by_gap
+            regions.append(recognise(r, sample, merged, sigma, tolerances, choose=choose))
             continue
         name = CLASS_OF[grown.kind]
         off = stand_off(grown, sample.vertices)

@@ -1,0 +1,189 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Neighbours joined where one swept surface describes them for less than their own surfaces do."""
+
+from __future__ import annotations
+
+import heapq
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from gpswb.core.invariance import InvarianceClass
+from gpswb.core.mesh import FloatArray, IntArray
+from gpswb.core.noisy.expansion import OUTSIDE
+from gpswb.core.noisy.merging import REGION, facets_of, length_of, smooth_neighbours
+from gpswb.core.noisy.models import Model, Surface
+from gpswb.core.noisy.noisy_mesh import NoisyMesh
+from gpswb.core.noisy.swept import Swept, fit_swept
+from gpswb.core.reference import Reference
+from gpswb.core.slippage import SlippageMoments, slippable_motions, slippage_moments
+
+PRIOR: dict[InvarianceClass, float] = {"prismatic": 10.0, "revolute": 30.0, "helical": 50.0}
+"""As those of simple surfaces. An axis far away is as good as a translation, and a long lead as
+good as a rotation: the simpler motion is meant where both describe a region."""
+
+SLIP = 0.02
+"""Mean squared sine between motion and facets up to which a fit is tried: denoised normals are off
+by up to 0.1 rad along borders."""
+
+LEAST = 30
+"""Facets of a swept region at least: fewer lie on some swept surface always."""
+
+
+@dataclass(frozen=True, eq=False)
+class _Piece:
+    """Facets (k,), what they lie on (None for nothing), and what they cost in the best division."""
+
+    facets: IntArray
+    surface: Surface | None
+    length: float
+    moments: SlippageMoments
+    parts: tuple[_Piece, ...] = ()
+
+
+def join_swept(
+    noisy: NoisyMesh, models: Sequence[Surface], label: IntArray
+) -> tuple[list[Surface], IntArray]:
+    """Join regions, and facets that nothing explains, to swept ones where that is cheaper.
+
+    Description length decides, as in `merging`. Pairs that gain most are joined first, whatever the
+    prior of a swept region; that is charged in the end, when each union is taken or divided again.
+
+    Args:
+        noisy: the mesh and its noise.
+        models: the surfaces.
+        label: (m,) the number of each facet's surface, -1 for none.
+    """
+    pieces = _pieces(noisy, models, label)
+    home = np.full(len(label), -1, dtype=np.int64)
+    for i, piece in enumerate(pieces):
+        home[piece.facets] = i
+    alive = dict(enumerate(pieces))
+    near = _neighbours(noisy, home, models, label)
+    queue: list[tuple[float, int, int, int, _Piece]] = []
+
+    def push(a: int, b: int) -> None:
+        union = _joined(noisy, alive[a], alive[b])
+        if union is not None:
+            gain = alive[a].length + alive[b].length - union.length
+            if gain > 0.0:
+                heapq.heappush(queue, (-gain, a, b, len(queue), union))
+
+    for a in near:
+        for b in near[a]:
+            if a < b:
+                push(a, b)
+    count = len(pieces)
+    while queue:
+        _, a, b, _, union = heapq.heappop(queue)
+        if a not in alive or b not in alive:
+            continue
+        del alive[a], alive[b]
+        alive[count] = union
+        around = (near.pop(a) | near.pop(b)) - {a, b}
+        near[count] = around
+        for c in around:
+            near[c] = (near[c] - {a, b}) | {count}
+            push(c, count)
+        count += 1
+    out = np.full_like(label, -1)
+    surfaces: list[Surface] = []
+    for piece in alive.values():
+        for part in _divided(piece)[1]:
+            if part.surface is not None:
+                out[part.facets] = len(surfaces)
+                surfaces.append(part.surface)
+    return surfaces, out
+
+
+def _divided(piece: _Piece) -> tuple[float, list[_Piece]]:
+    """The cheapest of a union and its parts, with the prior of swept regions."""
+    whole = piece.length
+    if isinstance(piece.surface, Swept):
+        whole += PRIOR[piece.surface.invariance_class]
+    if not piece.parts:
+        return whole, [piece]
+    divided = [_divided(part) for part in piece.parts]
+    apart = sum(length for length, _ in divided)
+    if whole <= apart:
+        return whole, [piece]
+    return apart, [part for _, parts in divided for part in parts]
+
+
+def _pieces(noisy: NoisyMesh, models: Sequence[Surface], label: IntArray) -> list[_Piece]:
+    """Regions, then what hangs together without a surface."""
+    groups = [(m, g) for m, g in zip(models, facets_of(label, len(models)), strict=True) if len(g)]
+    none = np.flatnonzero((label < 0) & (noisy.mesh.areas > 0.0))
+    both = (label < 0)[noisy.graph.pairs].all(axis=1)
+    part = noisy.graph.components(both, len(label))[none]
+    order = np.argsort(part, kind="stable")
+    loose = np.split(none[order], np.flatnonzero(np.diff(part[order])) + 1)
+    number = np.full(len(label), -1, dtype=np.int64)
+    everything = [g for _, g in groups] + [g for g in loose if len(g)]
+    for i, facets in enumerate(everything):
+        number[facets] = i
+    mesh = noisy.mesh
+    moments = slippage_moments(
+        mesh.centroids, noisy.normals, mesh.areas, number, max(len(everything), 1)
+    )
+    pieces = []
+    for i, facets in enumerate(everything):
+        own = SlippageMoments(moments.motion[i : i + 1], moments.metric[i : i + 1])
+        if i < len(groups):
+            model = groups[i][0]
+            pieces.append(_Piece(facets, model, length_of(noisy, model, facets), own))
+            continue
+        length = 0.5 * OUTSIDE**2 * len(facets) + REGION
+        piece = _Piece(facets, None, length, own)
+        swept = _swept(noisy, facets, own, ())
+        if swept is not None and swept.cost + REGION < length:
+            piece = _Piece(facets, swept, swept.cost + REGION, own, (piece,))
+        pieces.append(piece)
+    return pieces
+
+
+def _neighbours(
+    noisy: NoisyMesh, home: IntArray, models: Sequence[Surface], label: IntArray
+) -> dict[int, set[int]]:
+    near: dict[int, set[int]] = {i: set() for i in range(int(home.max(initial=-1)) + 1)}
+    for a, b in smooth_neighbours(noisy, home):
+        near[a].add(b)
+        near[b].add(a)
+    return near
+
+
+def _joined(noisy: NoisyMesh, a: _Piece, b: _Piece) -> _Piece | None:
+    """The union of two pieces on one swept surface."""
+    flat = [isinstance(p.surface, Model) and p.surface.kind == "plane" for p in (a, b)]
+    if all(flat):
+        return None
+    facets = np.concatenate([a.facets, b.facets])
+    moments = SlippageMoments(
+        a.moments.motion + b.moments.motion, a.moments.metric + b.moments.metric
+    )
+    starts = [p.surface.reference for p in (a, b) if isinstance(p.surface, Swept)]
+    swept = _swept(noisy, facets, moments, starts)
+    if swept is None:
+        return None
+    return _Piece(facets, swept, swept.cost + REGION, moments, (a, b))
+
+
+def _swept(
+    noisy: NoisyMesh, facets: IntArray, moments: SlippageMoments, starts: Sequence[Reference]
+) -> Swept | None:
+    """The likeliest swept surface of some facets; None where they have no motion."""
+    if len(facets) < LEAST or float(slippable_motions(moments)[0][0, 0]) > SLIP:
+        return None
+    best: Swept | None = None
+    for name in PRIOR:
+        swept = fit_swept(noisy, facets, name, starts)
+        if swept is None:
+            continue
+        if best is None or _priced(swept) < _priced(best):
+            best = swept
+    return best
+
+
+def _priced(swept: Swept) -> float:
+    return swept.cost + PRIOR[swept.invariance_class]

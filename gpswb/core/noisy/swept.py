@@ -1,0 +1,251 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Swept surfaces of noisy regions: a motion, and a cubic spline for the profile that it carries."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from scipy.interpolate import BSpline
+from scipy.spatial import cKDTree
+
+from gpswb.core.invariance import InvarianceClass
+from gpswb.core.mesh import FloatArray, IntArray
+from gpswb.core.motion_chart import MotionChart
+from gpswb.core.noisy.noisy_mesh import NoisyMesh
+from gpswb.core.noisy.profile_length import profile_length, quotient_gradient
+from gpswb.core.quotient import quotient_coordinates
+from gpswb.core.reference import Reference, estimate_references, spread
+from gpswb.core.thickness import quotient_jacobian
+
+MOTIONS: dict[InvarianceClass, int] = {"prismatic": 2, "revolute": 4, "helical": 5}
+"""Classes of one motion, simplest first, with the unknowns of the motion."""
+
+INTERVALS = (1, 2, 3, 4, 6, 8, 12, 16, 24, 32, 48)
+"""Intervals of the spline that are tried. They are of one length: a profile with short rounds
+between long straights takes many, and is cheaper as planes and cylinders."""
+
+PATIENCE = 2
+"""Refinements of the spline in a row that may be for nothing."""
+
+SAMPLE = 1500
+"""Vertices that a profile is fitted to: thirty for each interval at the finest."""
+
+STEPS = 4
+"""Corrections of motion and length along the profile for each number of intervals."""
+
+LEAD = 30.0
+"""Sigma that a lead is long at least: where it is shorter, points fill it, and any profile fits."""
+
+OUTSIDE = 4.0
+"""Distance in sigma beyond which a vertex counts as if it were so far: it is a stray."""
+
+TABLE = 400
+"""Points of a profile among which the nearest is looked up."""
+
+
+@dataclass(frozen=True, eq=False)
+class Swept:
+    """A swept surface and how well it explains its vertices.
+
+    Args:
+        invariance_class: prismatic, revolute or helical.
+        reference: the motion.
+        curve: the profile, in quotient coordinates.
+        side: +1 or -1, the side of the surface that is outside.
+        chi: sum of the squared distances over sigma², each at most ``OUTSIDE``².
+        count: number of vertices n.
+    """
+
+    invariance_class: InvarianceClass
+    reference: Reference
+    curve: BSpline
+    side: float
+    chi: float
+    count: int
+
+    def price(self, count: int) -> float:
+        """What the unknowns of motion and profile cost, in the unit of chi-square."""
+        return (MOTIONS[self.invariance_class] + len(self.curve.c)) * float(np.log(max(count, 2)))
+
+    @property
+    def cost(self) -> float:
+        """Chi-square and the price: smaller is likelier."""
+        return self.chi + self.price(self.count)
+
+    @cached_property
+    def _table(self) -> tuple[cKDTree, FloatArray, FloatArray]:
+        """Points (k, 2) along the profile, to look up, and unit tangents there."""
+        t = np.linspace(self.curve.t[3], self.curve.t[-4], TABLE)
+        slope = self.curve(t, 1)
+        slope /= np.maximum(np.linalg.norm(slope, axis=1, keepdims=True), 1e-300)
+        point = self.curve(t)
+        return cKDTree(point), point, slope
+
+    def distance(self, points: FloatArray) -> tuple[FloatArray, FloatArray]:
+        """(n,) mm signed distances of points (n, 3), and (n, 3) unit normals of the surface there.
+
+        Beyond an end of the profile it is the distance to that end.
+        """
+        quotient = quotient_coordinates(points, self.invariance_class, self.reference)
+        tree, point, tangent = self._table
+        if self.invariance_class == "helical":
+            lead = abs(self.reference.lead)
+            quotient[:, 1] -= lead * np.round((quotient[:, 1] - point[:, 1].mean()) / lead)
+        _, near = tree.query(quotient)
+        gap, tangent = quotient - point[near], tangent[near]
+        normal = np.column_stack([-tangent[:, 1], tangent[:, 0]])
+        height = np.einsum("nq,nq->n", gap, normal)
+        beyond = np.einsum("nq,nq->n", gap, tangent)
+        past = ((near == 0) & (beyond < 0.0)) | ((near == len(point) - 1) & (beyond > 0.0))
+        height = np.where(past, np.where(height < 0.0, -1.0, 1.0) * np.hypot(height, beyond), height)
+        gradient = quotient_gradient(points, self.invariance_class, self.reference)
+        across = np.einsum("nqk,nq->nk", gradient, normal)
+        stretch = np.maximum(np.linalg.norm(across, axis=1), 1e-300)
+        return height / stretch, across / stretch[:, None]
+
+
+def fit_swept(
+    noisy: NoisyMesh,
+    facets: IntArray,
+    name: InvarianceClass,
+    starts: Sequence[Reference] = (),
+) -> Swept | None:
+    """The likeliest surface of a motion through some facets.
+
+    Args:
+        noisy: the mesh and its noise.
+        facets: (k,) connected facets.
+        name: the class.
+        starts: motions that may be near, besides the one that the denoised normals show.
+
+    Returns:
+        None where the facets have no such motion at all.
+    """
+    mesh = noisy.mesh
+    inner = _inner(noisy, facets)
+    shown = estimate_references(
+        mesh.centroids[inner], noisy.normals[inner], mesh.areas[inner], (name,)
+    )[name]
+    best: Swept | None = None
+    for start in (shown, *starts):
+        usable = np.isfinite(start.lead) and (name != "helical" or start.lead != 0.0)
+        if usable:
+            found = _from(noisy, facets, name, start)
+            if found is not None and (best is None or found.cost < best.cost):
+                best = found
+    if best is None:
+        return None
+    _, normal = best.distance(mesh.centroids[inner])
+    toward = np.einsum("nk,nk,n->", normal, noisy.normals[inner], mesh.areas[inner])
+    return Swept(name, best.reference, best.curve, float(np.sign(toward)), best.chi, best.count)
+
+
+def _inner(noisy: NoisyMesh, facets: IntArray) -> IntArray:
+    """Facets whose neighbours are all of the region, if they are most of it: at its border denoised
+    normals lean to the other side."""
+    inside = np.zeros(len(noisy.mesh.triangles), dtype=bool)
+    inside[facets] = True
+    near = noisy.graph.neighbour[facets]
+    inner = facets[(inside[np.maximum(near, 0)] & (near >= 0)).all(axis=1)]
+    return inner if 2 * len(inner) > len(facets) else facets
+
+
+def _from(
+    noisy: NoisyMesh, facets: IntArray, name: InvarianceClass, reference: Reference
+) -> Swept | None:
+    """The likeliest surface of a motion that is near a given one."""
+    vertices, length = profile_length(noisy, facets, name, reference)
+    points = noisy.mesh.vertices[vertices]
+    some = spread(len(vertices), SAMPLE)
+    best: Swept | None = None
+    idle = 0
+    for intervals in INTERVALS:
+        if 3 * (intervals + 3) > len(some):
+            break
+        found = _fitted(points[some], length[some], name, reference, intervals, noisy.sigma)
+        if found is None:
+            break
+        squares, reference, curve = found
+        chi = float(np.minimum(squares, OUTSIDE**2).mean()) * len(points)
+        swept = Swept(name, reference, curve, 1.0, chi, len(points))
+        idle = 0 if best is None or swept.cost < best.cost else idle + 1
+        if idle == 0:
+            best = swept
+        elif idle == PATIENCE:
+            break
+    return best
+
+
+def _fitted(
+    points: FloatArray,
+    length: FloatArray,
+    name: InvarianceClass,
+    reference: Reference,
+    intervals: int,
+    sigma: float,
+) -> tuple[FloatArray, Reference, BSpline] | None:
+    """Squared distances (n,) in sigma², motion and profile of a spline with so many intervals.
+
+    Gauss-Newton: each round fits the profile, which is linear, then moves the motion by the
+    distances that the profile can't follow, and each point along the profile to where it is
+    nearest.
+    """
+    centre = points.mean(axis=0)
+    size = max(float(np.sqrt(((points - centre) ** 2).sum(axis=1).mean())), 1e-300)
+    best: tuple[FloatArray, Reference, BSpline] | None = None
+    for _ in range(STEPS):
+        if name == "helical" and abs(reference.lead) < LEAD * sigma:
+            break
+        quotient = quotient_coordinates(points, name, reference)
+        basis, curve = _spline(length, quotient, intervals)
+        off, slope = quotient - basis @ curve.c, curve(length, 1)
+        speed = np.maximum(np.linalg.norm(slope, axis=1), 1e-300)
+        tangent = slope / speed[:, None]
+        normal = np.column_stack([-tangent[:, 1], tangent[:, 0]])
+        gradient = quotient_gradient(points, name, reference)
+        stretch = np.linalg.norm(np.einsum("nqk,nq->nk", gradient, normal), axis=1)
+        stretch = np.maximum(stretch, 1e-300)
+        height = np.einsum("nq,nq->n", off, normal) / stretch
+        squares = (height / sigma) ** 2
+        if best is None or _total(squares) < _total(best[0]):
+            best = squares, reference, curve
+        turned = quotient_jacobian(points, name, reference)
+        change = np.einsum("nqp,nq->np", turned, normal / stretch[:, None])
+        change = change @ MotionChart(name, reference, centre, size).derivative()
+        if not np.isfinite(change).all():
+            break
+        near = np.abs(height) <= OUTSIDE * sigma
+        across = basis[near]
+        gram = across.T @ across + 1e-9 * len(across) * np.eye(across.shape[1])
+        design = change[near] - across @ np.linalg.solve(gram, across.T @ change[near])
+        step = np.linalg.lstsq(design, -height[near], rcond=1e-6)[0]
+        reference = MotionChart(name, reference, centre, size).moved(step)
+        if not np.isfinite([*reference.point, *reference.direction, reference.lead]).all():
+            break
+        length = length + np.einsum("nq,nq->n", off, tangent) / speed
+    return best
+
+
+def _spline(
+    length: FloatArray, quotient: FloatArray, intervals: int
+) -> tuple[FloatArray, BSpline]:
+    """(n, intervals + 3) cubic B-splines at lengths (n,), and the curve through (n, 2) points."""
+    low = float(length.min())
+    high = low + max(float(np.ptp(length)), 1e-300) * (1.0 + 1e-9)
+    knots = np.linspace(low, high, intervals + 1)
+    knots = np.concatenate([np.full(3, low), knots, np.full(3, high)])
+    basis: FloatArray = BSpline.design_matrix(length, knots, 3).toarray()
+    # A little stiffness bridges intervals without points.
+    bend = np.diff(np.eye(intervals + 3), 2, axis=0)
+    gram = basis.T @ basis
+    gram = gram + float(np.trace(gram)) / len(gram) * (
+        1e-6 * bend.T @ bend + 1e-12 * np.eye(len(gram))
+    )
+    return basis, BSpline(knots, np.linalg.solve(gram, basis.T @ quotient), 3)
+
+
+def _total(squares: FloatArray) -> float:
+    return float(np.minimum(squares, OUTSIDE**2).sum())
