@@ -118,7 +118,9 @@ def border_prices(noisy: NoisyMesh) -> FloatArray:
     return price
 
 
-def expand(noisy: NoisyMesh, models: Sequence[Surface], label: IntArray, sweeps: int = 2) -> IntArray:
+def expand(
+    noisy: NoisyMesh, models: Sequence[Surface], label: IntArray, sweeps: int = 2
+) -> IntArray:
     """Label facets anew by expansion moves of every model.
 
     Args:

@@ -169,8 +169,8 @@ def lies_on(noisy: NoisyMesh, model: Model, averaged: bool) -> BoolArray:
     """
     mesh = noisy.mesh
     d = model.distance(mesh.vertices)[0] / noisy.sigma
-    near = np.abs(d) <= GATE
-    ok: BoolArray = near[mesh.triangles].all(axis=1)
+    near: BoolArray = np.asarray(np.abs(d) <= GATE, dtype=bool)
+    ok: BoolArray = np.asarray(near[mesh.triangles].all(axis=1), dtype=bool)
     if averaged:
         weight = noisy.around_squared @ near.astype(np.float64)
         drift = noisy.around @ (d * near) / np.sqrt(np.maximum(weight, 1.0))

@@ -54,7 +54,7 @@ class Surface(Protocol):
         """+1 or -1, the side of the surface that is outside."""
 
     def distance(self, points: FloatArray) -> tuple[FloatArray, FloatArray]:
-        """(n,) mm signed distances of points (n, 3), and (n, 3) unit normals of the surface there."""
+        """(n,) mm signed distances of points (n, 3), and (n, 3) unit normals there."""
 
     def price(self, count: int) -> float:
         """What the surface costs on so many vertices besides its chi-square."""

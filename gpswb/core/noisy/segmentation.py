@@ -11,12 +11,13 @@ from gpswb.core.invariance import InvarianceClass
 from gpswb.core.mesh import IntArray, Mesh
 from gpswb.core.noisy.absorption import absorb
 from gpswb.core.noisy.expansion import expand
+from gpswb.core.noisy.freeform import Freeform
 from gpswb.core.noisy.hypotheses import find_models, lies_on
+from gpswb.core.noisy.joining import join_regions
 from gpswb.core.noisy.merging import drop_models, facets_of, merge_models
 from gpswb.core.noisy.models import SAMPLE, Model, Surface, fit_models
 from gpswb.core.noisy.noisy_mesh import NoisyMesh
 from gpswb.core.noisy.swept import Swept
-from gpswb.core.noisy.sweeping import join_swept
 from gpswb.core.robust.growth import Grown, fit_facets
 
 CYCLES = 3
@@ -32,9 +33,7 @@ CORE = 0.6
 """Share of a region that its surface must explain for the rest to be left out of the fit."""
 
 
-def segment(
-    mesh: Mesh, sigma: float
-) -> tuple[list[Grown], IntArray, dict[int, InvarianceClass]]:
+def segment(mesh: Mesh, sigma: float) -> tuple[list[Grown], IntArray, dict[int, InvarianceClass]]:
     """Divide a noisy mesh into regions that lie on simple surfaces, swept ones, and others.
 
     Args:
@@ -53,7 +52,7 @@ def segment(
         models, label = _refitted(noisy, models, label)
         models, label = merge_models(noisy, models, label)
         label = drop_models(noisy, models, label)
-    joined, label = join_swept(noisy, models, label)
+    joined, label = join_regions(noisy, models, label)
     label = expand(noisy, joined, label)
     label = drop_models(noisy, joined, label)
     label = absorb(noisy, joined, label)
@@ -70,10 +69,10 @@ def _described(
     models, out = _refitted(noisy, models, np.where(simple[label], rank[label], -1), last=True)
     groups = facets_of(out, len(models))
     surfaces = [Grown(m.kind, m.surface, g) for m, g in zip(models, groups, strict=True)]
-    swept = [
+    special = [
         (surface.invariance_class, np.flatnonzero(label == i))
         for i, surface in enumerate(found)
-        if isinstance(surface, Swept)
+        if isinstance(surface, Swept | Freeform)
     ]
     loose = _unexplained(noisy, label)
     for facets in loose:
@@ -81,7 +80,7 @@ def _described(
             out[facets] = len(surfaces)
             surfaces.append(Grown("plane", fit_facets(noisy.mesh, "plane", facets), facets))
     names: dict[int, InvarianceClass] = {}
-    for name, facets in swept:
+    for name, facets in special:
         names[len(surfaces) + len(names)] = name
         out[facets] = len(surfaces) + len(names) - 1
     count = len(surfaces) + len(names)

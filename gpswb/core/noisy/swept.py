@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
@@ -14,33 +14,45 @@ from scipy.spatial import cKDTree
 from gpswb.core.invariance import InvarianceClass
 from gpswb.core.mesh import FloatArray, IntArray
 from gpswb.core.motion_chart import MotionChart
+from gpswb.core.noisy.models import EXCESS, SURE
 from gpswb.core.noisy.noisy_mesh import NoisyMesh
 from gpswb.core.noisy.profile_length import profile_length, quotient_gradient
 from gpswb.core.quotient import quotient_coordinates
+from gpswb.core.recognition import slip_of
 from gpswb.core.reference import Reference, estimate_references, spread
 from gpswb.core.thickness import quotient_jacobian
 
 MOTIONS: dict[InvarianceClass, int] = {"prismatic": 2, "revolute": 4, "helical": 5}
 """Classes of one motion, simplest first, with the unknowns of the motion."""
 
-INTERVALS = (1, 2, 3, 4, 6, 8, 12, 16, 24, 32, 48)
+INTERVALS = (1, 2, 3, 5, 8, 12, 18, 27, 40)
 """Intervals of the spline that are tried. They are of one length: a profile with short rounds
 between long straights takes many, and is cheaper as planes and cylinders."""
 
 PATIENCE = 2
 """Refinements of the spline in a row that may be for nothing."""
 
-SAMPLE = 1500
-"""Vertices that a profile is fitted to: thirty for each interval at the finest."""
+SAMPLE = 600
+"""Vertices that a profile is fitted to: fifteen for each interval at the finest."""
 
 STEPS = 4
-"""Corrections of motion and length along the profile for each number of intervals."""
+"""Corrections of motion and length along the profile for each number of intervals, at most."""
+
+SETTLED = 0.002
+"""Share of chi-square that a correction saves at least, or it was the last."""
+
+SLIP = 0.02
+"""Mean squared sine between a motion and the denoised normals up to which a profile is sought: they
+are off by up to 0.1 rad, the more so where a region is narrow."""
 
 LEAD = 30.0
 """Sigma that a lead is long at least: where it is shorter, points fill it, and any profile fits."""
 
 OUTSIDE = 4.0
 """Distance in sigma beyond which a vertex counts as if it were so far: it is a stray."""
+
+NEWTON = 3
+"""Steps to the nearest point of the profile."""
 
 TABLE = 400
 """Points of a profile among which the nearest is looked up."""
@@ -75,6 +87,11 @@ class Swept:
         """Chi-square and the price: smaller is likelier."""
         return self.chi + self.price(self.count)
 
+    @property
+    def explains(self) -> bool:
+        """Whether the distances are those of noise."""
+        return self.chi / self.count <= EXCESS + SURE * float(np.sqrt(2.0 / self.count))
+
     @cached_property
     def _table(self) -> tuple[cKDTree, FloatArray, FloatArray]:
         """Points (k, 2) along the profile, to look up, and unit tangents there."""
@@ -100,7 +117,9 @@ class Swept:
         height = np.einsum("nq,nq->n", gap, normal)
         beyond = np.einsum("nq,nq->n", gap, tangent)
         past = ((near == 0) & (beyond < 0.0)) | ((near == len(point) - 1) & (beyond > 0.0))
-        height = np.where(past, np.where(height < 0.0, -1.0, 1.0) * np.hypot(height, beyond), height)
+        height = np.where(
+            past, np.where(height < 0.0, -1.0, 1.0) * np.hypot(height, beyond), height
+        )
         gradient = quotient_gradient(points, self.invariance_class, self.reference)
         across = np.einsum("nqk,nq->nk", gradient, normal)
         stretch = np.maximum(np.linalg.norm(across, axis=1), 1e-300)
@@ -132,7 +151,8 @@ def fit_swept(
     best: Swept | None = None
     for start in (shown, *starts):
         usable = np.isfinite(start.lead) and (name != "helical" or start.lead != 0.0)
-        if usable:
+        slip = slip_of(mesh.centroids[inner], noisy.normals[inner], mesh.areas[inner], name, start)
+        if usable and slip <= SLIP:
             found = _from(noisy, facets, name, start)
             if found is not None and (best is None or found.cost < best.cost):
                 best = found
@@ -140,7 +160,7 @@ def fit_swept(
         return None
     _, normal = best.distance(mesh.centroids[inner])
     toward = np.einsum("nk,nk,n->", normal, noisy.normals[inner], mesh.areas[inner])
-    return Swept(name, best.reference, best.curve, float(np.sign(toward)), best.chi, best.count)
+    return replace(best, side=float(np.sign(toward)))
 
 
 def _inner(noisy: NoisyMesh, facets: IntArray) -> IntArray:
@@ -168,8 +188,11 @@ def _from(
         found = _fitted(points[some], length[some], name, reference, intervals, noisy.sigma)
         if found is None:
             break
-        squares, reference, curve = found
-        chi = float(np.minimum(squares, OUTSIDE**2).mean()) * len(points)
+        reference, curve, along = found
+        # The others have moved along the profile as those of the sample.
+        order = np.argsort(length[some], kind="stable")
+        start = np.interp(length, length[some][order], along[order])
+        chi = _total((_heights(points, start, name, reference, curve) / noisy.sigma) ** 2)
         swept = Swept(name, reference, curve, 1.0, chi, len(points))
         idle = 0 if best is None or swept.cost < best.cost else idle + 1
         if idle == 0:
@@ -186,8 +209,8 @@ def _fitted(
     reference: Reference,
     intervals: int,
     sigma: float,
-) -> tuple[FloatArray, Reference, BSpline] | None:
-    """Squared distances (n,) in sigma², motion and profile of a spline with so many intervals.
+) -> tuple[Reference, BSpline, FloatArray] | None:
+    """Motion, profile (a spline with so many intervals), and where the points (n,) are along it.
 
     Gauss-Newton: each round fits the profile, which is linear, then moves the motion by the
     distances that the profile can't follow, and each point along the profile to where it is
@@ -195,7 +218,8 @@ def _fitted(
     """
     centre = points.mean(axis=0)
     size = max(float(np.sqrt(((points - centre) ** 2).sum(axis=1).mean())), 1e-300)
-    best: tuple[FloatArray, Reference, BSpline] | None = None
+    best: tuple[Reference, BSpline, FloatArray] | None = None
+    least = np.inf
     for _ in range(STEPS):
         if name == "helical" and abs(reference.lead) < LEAD * sigma:
             break
@@ -209,9 +233,12 @@ def _fitted(
         stretch = np.linalg.norm(np.einsum("nqk,nq->nk", gradient, normal), axis=1)
         stretch = np.maximum(stretch, 1e-300)
         height = np.einsum("nq,nq->n", off, normal) / stretch
-        squares = (height / sigma) ** 2
-        if best is None or _total(squares) < _total(best[0]):
-            best = squares, reference, curve
+        total = _total((height / sigma) ** 2)
+        settled = total > (1.0 - SETTLED) * least
+        if total < least:
+            least, best = total, (reference, curve, length)
+        if settled:
+            break
         turned = quotient_jacobian(points, name, reference)
         change = np.einsum("nqp,nq->np", turned, normal / stretch[:, None])
         change = change @ MotionChart(name, reference, centre, size).derivative()
@@ -229,9 +256,30 @@ def _fitted(
     return best
 
 
-def _spline(
-    length: FloatArray, quotient: FloatArray, intervals: int
-) -> tuple[FloatArray, BSpline]:
+def _heights(
+    points: FloatArray,
+    along: FloatArray,
+    name: InvarianceClass,
+    reference: Reference,
+    curve: BSpline,
+) -> FloatArray:
+    """(n,) mm distances of points (n, 3) from where they are nearest to the profile, sought from
+    ``along`` (n,) on: elsewhere another part of the profile may be nearer by chance."""
+    quotient = quotient_coordinates(points, name, reference)
+    for _ in range(NEWTON):
+        off, slope = quotient - curve(along), curve(along, 1)
+        speed = np.maximum((slope**2).sum(axis=1), 1e-300)
+        along = np.clip(along + (off * slope).sum(axis=1) / speed, curve.t[0], curve.t[-1])
+    off, slope = quotient - curve(along), curve(along, 1)
+    normal = np.column_stack([-slope[:, 1], slope[:, 0]])
+    normal /= np.maximum(np.linalg.norm(slope, axis=1), 1e-300)[:, None]
+    gradient = quotient_gradient(points, name, reference)
+    stretch = np.linalg.norm(np.einsum("nqk,nq->nk", gradient, normal), axis=1)
+    height: FloatArray = (off * normal).sum(axis=1) / np.maximum(stretch, 1e-300)
+    return height
+
+
+def _spline(length: FloatArray, quotient: FloatArray, intervals: int) -> tuple[FloatArray, BSpline]:
     """(n, intervals + 3) cubic B-splines at lengths (n,), and the curve through (n, 2) points."""
     low = float(length.min())
     high = low + max(float(np.ptp(length)), 1e-300) * (1.0 + 1e-9)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Neighbours joined where one swept surface describes them for less than their own surfaces do."""
+"""Neighbours joined where one swept or freeform surface describes them for less than their own."""
 
 from __future__ import annotations
 
@@ -10,25 +10,27 @@ from dataclasses import dataclass
 import numpy as np
 
 from gpswb.core.invariance import InvarianceClass
-from gpswb.core.mesh import FloatArray, IntArray
+from gpswb.core.mesh import IntArray
 from gpswb.core.noisy.expansion import OUTSIDE
+from gpswb.core.noisy.freeform import Freeform, fit_freeform
 from gpswb.core.noisy.merging import REGION, facets_of, length_of, smooth_neighbours
 from gpswb.core.noisy.models import Model, Surface
 from gpswb.core.noisy.noisy_mesh import NoisyMesh
-from gpswb.core.noisy.swept import Swept, fit_swept
+from gpswb.core.noisy.swept import MOTIONS, SLIP, Swept, fit_swept
 from gpswb.core.reference import Reference
 from gpswb.core.slippage import SlippageMoments, slippable_motions, slippage_moments
 
-PRIOR: dict[InvarianceClass, float] = {"prismatic": 10.0, "revolute": 30.0, "helical": 50.0}
+PRIOR: dict[InvarianceClass, float] = {
+    "prismatic": 10.0,
+    "revolute": 30.0,
+    "helical": 50.0,
+    "complex": 40.0,
+}
 """As those of simple surfaces. An axis far away is as good as a translation, and a long lead as
 good as a rotation: the simpler motion is meant where both describe a region."""
 
-SLIP = 0.02
-"""Mean squared sine between motion and facets up to which a fit is tried: denoised normals are off
-by up to 0.1 rad along borders."""
-
 LEAST = 30
-"""Facets of a swept region at least: fewer lie on some swept surface always."""
+"""Facets of such a region at least: fewer lie on some swept surface always."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -42,13 +44,13 @@ class _Piece:
     parts: tuple[_Piece, ...] = ()
 
 
-def join_swept(
+def join_regions(
     noisy: NoisyMesh, models: Sequence[Surface], label: IntArray
 ) -> tuple[list[Surface], IntArray]:
-    """Join regions, and facets that nothing explains, to swept ones where that is cheaper.
+    """Join regions, and facets that nothing explains, where one surface of both is cheaper.
 
     Description length decides, as in `merging`. Pairs that gain most are joined first, whatever the
-    prior of a swept region; that is charged in the end, when each union is taken or divided again.
+    prior of such a region; that is charged in the end, when each union is taken or divided again.
 
     Args:
         noisy: the mesh and its noise.
@@ -60,7 +62,7 @@ def join_swept(
     for i, piece in enumerate(pieces):
         home[piece.facets] = i
     alive = dict(enumerate(pieces))
-    near = _neighbours(noisy, home, models, label)
+    near = _neighbours(noisy, home)
     queue: list[tuple[float, int, int, int, _Piece]] = []
 
     def push(a: int, b: int) -> None:
@@ -98,10 +100,10 @@ def join_swept(
 
 
 def _divided(piece: _Piece) -> tuple[float, list[_Piece]]:
-    """The cheapest of a union and its parts, with the prior of swept regions."""
+    """The cheapest of a union and its parts, with the prior of what isn't simple."""
     whole = piece.length
-    if isinstance(piece.surface, Swept):
-        whole += PRIOR[piece.surface.invariance_class]
+    if isinstance(piece.surface, Swept | Freeform):
+        whole = whole - piece.surface.cost + _priced(piece.surface)
     if not piece.parts:
         return whole, [piece]
     divided = [_divided(part) for part in piece.parts]
@@ -115,7 +117,7 @@ def _pieces(noisy: NoisyMesh, models: Sequence[Surface], label: IntArray) -> lis
     """Regions, then what hangs together without a surface."""
     groups = [(m, g) for m, g in zip(models, facets_of(label, len(models)), strict=True) if len(g)]
     none = np.flatnonzero((label < 0) & (noisy.mesh.areas > 0.0))
-    both = (label < 0)[noisy.graph.pairs].all(axis=1)
+    both = np.logical_and(*(label < 0)[noisy.graph.pairs].T)
     part = noisy.graph.components(both, len(label))[none]
     order = np.argsort(part, kind="stable")
     loose = np.split(none[order], np.flatnonzero(np.diff(part[order])) + 1)
@@ -136,16 +138,15 @@ def _pieces(noisy: NoisyMesh, models: Sequence[Surface], label: IntArray) -> lis
             continue
         length = 0.5 * OUTSIDE**2 * len(facets) + REGION
         piece = _Piece(facets, None, length, own)
-        swept = _swept(noisy, facets, own, ())
-        if swept is not None and swept.cost + REGION < length:
-            piece = _Piece(facets, swept, swept.cost + REGION, own, (piece,))
+        one = _surface(noisy, facets, own, ())
+        if one is not None and one.cost + REGION < length:
+            piece = _Piece(facets, one, one.cost + REGION, own, (piece,))
         pieces.append(piece)
     return pieces
 
 
-def _neighbours(
-    noisy: NoisyMesh, home: IntArray, models: Sequence[Surface], label: IntArray
-) -> dict[int, set[int]]:
+def _neighbours(noisy: NoisyMesh, home: IntArray) -> dict[int, set[int]]:
+    """The pieces that each piece meets without a crease."""
     near: dict[int, set[int]] = {i: set() for i in range(int(home.max(initial=-1)) + 1)}
     for a, b in smooth_neighbours(noisy, home):
         near[a].add(b)
@@ -154,36 +155,35 @@ def _neighbours(
 
 
 def _joined(noisy: NoisyMesh, a: _Piece, b: _Piece) -> _Piece | None:
-    """The union of two pieces on one swept surface."""
-    flat = [isinstance(p.surface, Model) and p.surface.kind == "plane" for p in (a, b)]
-    if all(flat):
+    """The union of two pieces on one swept or freeform surface."""
+    if all(isinstance(p.surface, Model) and p.surface.kind == "plane" for p in (a, b)):
         return None
     facets = np.concatenate([a.facets, b.facets])
     moments = SlippageMoments(
         a.moments.motion + b.moments.motion, a.moments.metric + b.moments.metric
     )
     starts = [p.surface.reference for p in (a, b) if isinstance(p.surface, Swept)]
-    swept = _swept(noisy, facets, moments, starts)
-    if swept is None:
-        return None
-    return _Piece(facets, swept, swept.cost + REGION, moments, (a, b))
+    one = _surface(noisy, facets, moments, starts)
+    return None if one is None else _Piece(facets, one, one.cost + REGION, moments, (a, b))
 
 
-def _swept(
+def _surface(
     noisy: NoisyMesh, facets: IntArray, moments: SlippageMoments, starts: Sequence[Reference]
-) -> Swept | None:
-    """The likeliest swept surface of some facets; None where they have no motion."""
-    if len(facets) < LEAST or float(slippable_motions(moments)[0][0, 0]) > SLIP:
+) -> Swept | Freeform | None:
+    """The likeliest swept or freeform surface of some facets."""
+    if len(facets) < LEAST:
         return None
-    best: Swept | None = None
-    for name in PRIOR:
+    best: Swept | Freeform | None = fit_freeform(noisy, facets)
+    if float(slippable_motions(moments)[0][0, 0]) > SLIP:
+        return best
+    for name in MOTIONS:
+        if name == "helical" and isinstance(best, Swept) and best.explains:
+            break
         swept = fit_swept(noisy, facets, name, starts)
-        if swept is None:
-            continue
-        if best is None or _priced(swept) < _priced(best):
+        if swept is not None and (best is None or _priced(swept) < _priced(best)):
             best = swept
     return best
 
 
-def _priced(swept: Swept) -> float:
-    return swept.cost + PRIOR[swept.invariance_class]
+def _priced(surface: Swept | Freeform) -> float:
+    return surface.cost + PRIOR[surface.invariance_class]
