@@ -29,6 +29,10 @@ PRIOR: dict[InvarianceClass, float] = {
 """As those of simple surfaces. An axis far away is as good as a translation, and a long lead as
 good as a rotation: the simpler motion is meant where both describe a region."""
 
+TRIAL = 60.0
+"""What a union may lose by itself: a profile of three arcs is dearer than two cylinders, and only
+with the next neighbours it gets cheaper."""
+
 LEAST = 30
 """Facets of such a region at least: fewer lie on some swept surface always."""
 
@@ -69,7 +73,7 @@ def join_regions(
         union = _joined(noisy, alive[a], alive[b])
         if union is not None:
             gain = alive[a].length + alive[b].length - union.length
-            if gain > 0.0:
+            if gain > -TRIAL:
                 heapq.heappush(queue, (-gain, a, b, len(queue), union))
 
     for a in near:
