@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Freeform surfaces of noisy regions: overlapping quadrics, as large as the noise lets them be."""
+"""Freeform surfaces of noisy regions: overlapping cubics, as large as the noise lets them be."""
 
 from __future__ import annotations
 
@@ -17,18 +17,18 @@ from gpswb.core.mesh import FloatArray, IntArray
 from gpswb.core.noisy.noisy_mesh import NoisyMesh
 from gpswb.core.reference import axis_frame
 
-CELLS = (400, 200, 100, 50, 25)
-"""Vertices of a cell that are tried, on average: the largest that a quadric describes are meant."""
+CELLS = (800, 560, 400, 280, 200, 140, 100, 70, 50, 35, 25)
+"""Vertices of a cell that are tried, on average: the largest that a cubic describes are meant."""
 
-PATIENCE = 2
+PATIENCE = 3
 """Smaller cells in a row that may be for nothing."""
 
 REACH = 0.5
-"""Share of a cell's radius by which its quadric's vertices reach beyond it: it is there that
-neighbouring quadrics agree, so that the surface is smooth."""
+"""Share of a cell's radius by which its cubic's vertices reach beyond it: it is there that
+neighbouring cubics agree, so that the surface is smooth."""
 
-TERMS = 6
-"""Coefficients of a quadric."""
+POWERS = np.array([(i, j) for i in range(4) for j in range(4 - i)])
+"""(10, 2) powers of the two tangents in the terms of a cubic."""
 
 OUTSIDE = 4.0
 """Distance in sigma beyond which a vertex counts as if it were so far: it is a stray."""
@@ -41,8 +41,8 @@ class Freeform:
     Args:
         centre: (k, 3) mm middle of each cell.
         frame: (k, 3, 3) two tangents and the outward normal of each, as rows.
-        radius: (k,) mm reach of each quadric.
-        quadric: (k, 6) height over the tangents, coefficients of 1, x, y, x², xy, y².
+        radius: (k,) mm reach of each cubic.
+        cubic: (k, 10) height over the tangents: coefficients of the terms.
         freedom: number of independent coefficients: cells overlap.
         chi: sum of the squared distances over sigma², each at most ``OUTSIDE``².
         count: number of vertices n.
@@ -51,7 +51,7 @@ class Freeform:
     centre: FloatArray
     frame: FloatArray
     radius: FloatArray
-    quadric: FloatArray
+    cubic: FloatArray
     freedom: float
     chi: float
     count: int
@@ -75,19 +75,12 @@ class Freeform:
     def distance(self, points: FloatArray) -> tuple[FloatArray, FloatArray]:
         """(n,) mm signed distances of points (n, 3), and (n, 3) unit normals of the surface there.
 
-        Beyond the reach of the nearest quadric it is the distance to its rim.
+        Beyond the reach of the nearest cubic it is the distance to its rim.
         """
         _, cell = self._tree.query(points)
-        frame, c = self.frame[cell], self.quadric[cell]
+        frame = self.frame[cell]
         x, y, z = np.einsum("nik,nk->in", frame, points - self.centre[cell])
-        height = z - np.einsum("nt,nt->n", _terms(x, y), c)
-        slope = np.column_stack(
-            [
-                -(c[:, 1] + 2.0 * c[:, 3] * x + c[:, 4] * y),
-                -(c[:, 2] + c[:, 4] * x + 2.0 * c[:, 5] * y),
-                np.ones(len(c)),
-            ]
-        )
+        height, slope = _height(self.cubic[cell], x, y, z)
         steep = np.linalg.norm(slope, axis=1)
         height = height / steep
         beyond = np.maximum(np.hypot(x, y) - self.radius[cell], 0.0)
@@ -133,7 +126,7 @@ def fit_freeform(noisy: NoisyMesh, facets: IntArray) -> Freeform | None:
 def _fitted(
     points: FloatArray, normal: FloatArray, edge: csr_matrix, size: int, sigma: float
 ) -> Freeform:
-    """Quadrics of cells of about so many vertices."""
+    """Cubics of cells of about so many vertices."""
     n = len(points)
     cell, count = _cells(points, edge, max(round(n / size), 1))
     member = csr_matrix((np.ones(n), (cell, np.arange(n))), shape=(count, n))
@@ -152,27 +145,22 @@ def _fitted(
     np.maximum.at(radius, row, np.hypot(x, y))
     scale = np.maximum(radius, 1e-300)
     design = _terms(x / scale[row], y / scale[row])
-    gram = np.stack(
-        [np.bincount(row, design[:, i] * design[:, j], count) for i in range(6) for j in range(6)],
-        axis=1,
-    ).reshape(count, TERMS, TERMS)
+    terms = design.shape[1]
+    pairs = [design[:, i] * design[:, j] for i in range(terms) for j in range(terms)]
+    gram = np.column_stack([np.bincount(row, p, count) for p in pairs])
+    gram = gram.reshape(count, terms, terms)
     # The ridge keeps cells of few vertices solvable.
-    gram += 1e-6 * number[:, None, None] * np.eye(TERMS)
-    right = np.column_stack([np.bincount(row, design[:, i] * z, count) for i in range(TERMS)])
+    gram += 1e-6 * number[:, None, None] * np.eye(terms)
+    right = np.column_stack([np.bincount(row, design[:, i] * z, count) for i in range(terms)])
     inverse = np.linalg.inv(gram)
-    quadric = np.einsum("kij,kj->ki", inverse, right)
+    cubic = np.einsum("kij,kj->ki", inverse, right) / scale[:, None] ** POWERS.sum(axis=1)
     own = cell[col] == row
     at, some = row[own], design[own]
-    leverage = np.einsum("ni,nij,nj->n", some, inverse[at], some)
-    power = np.array([0, 1, 1, 2, 2, 2])
-    quadric = quadric / scale[:, None] ** power
-    blank = Freeform(centre, frame, radius, quadric, float(leverage.sum()), 0.0, n)
-    slope_x = quadric[at, 1] + 2.0 * quadric[at, 3] * x[own] + quadric[at, 4] * y[own]
-    slope_y = quadric[at, 2] + quadric[at, 4] * x[own] + 2.0 * quadric[at, 5] * y[own]
-    off = z[own] - np.einsum("nt,nt->n", _terms(x[own], y[own]), quadric[at])
-    squares = off**2 / (1.0 + slope_x**2 + slope_y**2) / sigma**2
+    freedom = float(np.einsum("ni,nij,nj->", some, inverse[at], some))
+    height, slope = _height(cubic[at], x[own], y[own], z[own])
+    squares = height**2 / (slope**2).sum(axis=1) / sigma**2
     chi = float(np.minimum(squares, OUTSIDE**2).sum())
-    return Freeform(centre, frame, radius, quadric, blank.freedom, chi, n)
+    return Freeform(centre, frame, radius, cubic, freedom, chi, n)
 
 
 def _cells(points: FloatArray, edge: csr_matrix, count: int) -> tuple[IntArray, int]:
@@ -201,5 +189,16 @@ def _cells(points: FloatArray, edge: csr_matrix, count: int) -> tuple[IntArray, 
 
 
 def _terms(x: FloatArray, y: FloatArray) -> FloatArray:
-    """(n, 6) terms of a quadric."""
-    return np.column_stack([np.ones_like(x), x, y, x * x, x * y, y * y])
+    """(n, 10) terms of a cubic."""
+    return np.column_stack([x**i * y**j for i, j in POWERS.tolist()])
+
+
+def _height(
+    cubic: FloatArray, x: FloatArray, y: FloatArray, z: FloatArray
+) -> tuple[FloatArray, FloatArray]:
+    """(n,) z over a cubic (n, 10) each, and the gradient (n, 3) of that."""
+    i, j = POWERS.T
+    dx = i * x[:, None] ** np.maximum(i - 1, 0) * y[:, None] ** j
+    dy = j * x[:, None] ** i * y[:, None] ** np.maximum(j - 1, 0)
+    slope = [-(cubic * dx).sum(axis=1), -(cubic * dy).sum(axis=1), np.ones(len(x))]
+    return z - (cubic * _terms(x, y)).sum(axis=1), np.column_stack(slope)

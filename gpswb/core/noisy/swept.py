@@ -17,7 +17,7 @@ from gpswb.core.motion_chart import MotionChart
 from gpswb.core.noisy.models import EXCESS, SURE
 from gpswb.core.noisy.noisy_mesh import NoisyMesh
 from gpswb.core.noisy.profile_length import profile_length, quotient_gradient
-from gpswb.core.quotient import quotient_coordinates
+from gpswb.core.quotient import axis_coordinates, quotient_coordinates
 from gpswb.core.recognition import slip_of
 from gpswb.core.reference import Reference, estimate_references, spread
 from gpswb.core.thickness import quotient_jacobian
@@ -35,7 +35,7 @@ PATIENCE = 2
 SAMPLE = 600
 """Vertices that a profile is fitted to: fifteen for each interval at the finest."""
 
-STEPS = 4
+STEPS = 8
 """Corrections of motion and length along the profile for each number of intervals, at most."""
 
 SETTLED = 0.002
@@ -106,11 +106,8 @@ class Swept:
 
         Beyond an end of the profile it is the distance to that end.
         """
-        quotient = quotient_coordinates(points, self.invariance_class, self.reference)
         tree, point, tangent = self._table
-        if self.invariance_class == "helical":
-            lead = abs(self.reference.lead)
-            quotient[:, 1] -= lead * np.round((quotient[:, 1] - point[:, 1].mean()) / lead)
+        quotient = _quotient(points, self.invariance_class, self.reference, self.curve)
         _, near = tree.query(quotient)
         gap, tangent = quotient - point[near], tangent[near]
         normal = np.column_stack([-tangent[:, 1], tangent[:, 0]])
@@ -223,7 +220,7 @@ def _fitted(
     for _ in range(STEPS):
         if name == "helical" and abs(reference.lead) < LEAD * sigma:
             break
-        quotient = quotient_coordinates(points, name, reference)
+        quotient = _quotient(points, name, reference, None)
         basis, curve = _spline(length, quotient, intervals)
         off, slope = quotient - basis @ curve.c, curve(length, 1)
         speed = np.maximum(np.linalg.norm(slope, axis=1), 1e-300)
@@ -256,6 +253,25 @@ def _fitted(
     return best
 
 
+def _quotient(
+    points: FloatArray, name: InvarianceClass, reference: Reference, curve: BSpline | None
+) -> FloatArray:
+    """Quotient coordinates (n, 2) of points (n, 3), helical heights within half a lead of the
+    curve's: `quotient_coordinates` counts them from where they leave the largest gap, which depends
+    on the points. Without a curve they are cut at that gap."""
+    quotient = quotient_coordinates(points, name, reference)
+    if name == "helical":
+        about = axis_coordinates(points, reference)
+        height = about.z - reference.lead / (2.0 * np.pi) * about.phi
+        middle = float(curve.c[:, 1].mean()) if curve is not None else 0.0
+        if curve is None:
+            shift = height[0] - quotient[0, 1]
+            middle = shift + 0.5 * float(quotient[:, 1].min() + quotient[:, 1].max())
+        lead = abs(reference.lead)
+        quotient[:, 1] = height - lead * np.round((height - middle) / lead)
+    return quotient
+
+
 def _heights(
     points: FloatArray,
     along: FloatArray,
@@ -265,7 +281,7 @@ def _heights(
 ) -> FloatArray:
     """(n,) mm distances of points (n, 3) from where they are nearest to the profile, sought from
     ``along`` (n,) on: elsewhere another part of the profile may be nearer by chance."""
-    quotient = quotient_coordinates(points, name, reference)
+    quotient = _quotient(points, name, reference, curve)
     for _ in range(NEWTON):
         off, slope = quotient - curve(along), curve(along, 1)
         speed = np.maximum((slope**2).sum(axis=1), 1e-300)
