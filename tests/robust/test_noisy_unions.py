@@ -12,7 +12,7 @@ from gpswb.core.invariance import InvarianceClass
 from gpswb.core.mesh import FloatArray, Mesh
 from gpswb.core.noisy.freeform import fit_freeform
 from gpswb.core.noisy.noisy_mesh import NoisyMesh
-from gpswb.core.noisy.swept import fit_swept
+from gpswb.core.noisy.swept_fit import fit_swept
 from gpswb.core.pipeline import partition
 
 SHARE = 1e-3

@@ -9,25 +9,16 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from gpswb.core.invariance import InvarianceClass
 from gpswb.core.mesh import IntArray
+from gpswb.core.noisy.border_angle import meet_at_crease
 from gpswb.core.noisy.expansion import OUTSIDE
-from gpswb.core.noisy.freeform import Freeform, fit_freeform
+from gpswb.core.noisy.freeform import Freeform
+from gpswb.core.noisy.general_surface import general_surface, priced
 from gpswb.core.noisy.merging import REGION, facets_of, length_of, smooth_neighbours
 from gpswb.core.noisy.models import Model, Surface
 from gpswb.core.noisy.noisy_mesh import NoisyMesh
-from gpswb.core.noisy.swept import MOTIONS, SLIP, Swept, fit_swept
-from gpswb.core.reference import Reference
-from gpswb.core.slippage import SlippageMoments, slippable_motions, slippage_moments
-
-PRIOR: dict[InvarianceClass, float] = {
-    "prismatic": 10.0,
-    "revolute": 30.0,
-    "helical": 50.0,
-    "complex": 40.0,
-}
-"""As those of simple surfaces. An axis far away is as good as a translation, and a long lead as
-good as a rotation: the simpler motion is meant where both describe a region."""
+from gpswb.core.noisy.swept import Swept
+from gpswb.core.slippage import SlippageMoments, slippage_moments
 
 TRIAL = 60.0
 """What a union may lose by itself: a profile of three arcs is dearer than two cylinders, and only
@@ -36,17 +27,6 @@ with the next neighbours it gets cheaper."""
 FLAT = 40.0
 """Price of a plane in a union: planes are the commonest faces, and curved ones are hardly ever flat
 anywhere."""
-
-CREASE = 0.35
-"""Angle (rad) between two surfaces along their border from which it may be a crease: chamfers have
-twice as much, and denoised normals don't show creases that are smaller."""
-
-LEVER = 8.0
-"""An angle that far above sigma over the widths of both regions is a crease: pieces of one smooth
-surface stay within two sigma of it, so that they can't meet at more."""
-
-LEAST = 30
-"""Facets of such a region at least: fewer lie on some swept surface always."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -89,8 +69,11 @@ def join_regions(
     queue: list[tuple[float, int, int, int, _Piece]] = []
 
     def push(a: int, b: int) -> None:
-        if _creased(noisy, alive[a], alive[b], _border(noisy, home, a, b)):
-            return
+        first, second = alive[a], alive[b]
+        if first.surface is not None and second.surface is not None:
+            surfaces, regions = (first.surface, second.surface), (first.facets, second.facets)
+            if meet_at_crease(noisy, surfaces, regions, _border(noisy, home, a, b)):
+                return
         union = _joined(noisy, alive[a], alive[b])
         if union is not None:
             gain = alive[a].length + alive[b].length - union.length
@@ -131,30 +114,11 @@ def _border(noisy: NoisyMesh, home: IntArray, a: int, b: int) -> IntArray:
     return np.flatnonzero(((first == a) & (second == b)) | ((first == b) & (second == a)))
 
 
-def _creased(noisy: NoisyMesh, a: _Piece, b: _Piece, border: IntArray) -> bool:
-    """Whether two pieces' surfaces meet at an angle that pieces of a smooth one can't have."""
-    if a.surface is None or b.surface is None:
-        return False
-    mesh = noisy.mesh
-    ends = mesh.vertices[noisy.graph.pair_edges[border]]
-    length = float(np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1).sum())
-    middle = ends.mean(axis=1)
-    first = a.surface.side * a.surface.distance(middle)[1]
-    second = b.surface.side * b.surface.distance(middle)[1]
-    sine = np.linalg.norm(np.cross(first, second), axis=1)
-    angle = float(np.median(np.arctan2(sine, np.einsum("nk,nk->n", first, second))))
-    natural = 0.0
-    for piece in (a, b):
-        area = float(mesh.areas[piece.facets].sum())
-        natural += noisy.sigma / max(min(area / max(length, 1e-300), area**0.5), 1e-300)
-    return angle > max(CREASE, LEVER * natural)
-
-
 def _divided(piece: _Piece) -> tuple[float, list[_Piece]]:
     """The cheapest of a union and its parts, with the prior of what isn't simple."""
     whole = piece.length
     if isinstance(piece.surface, Swept | Freeform):
-        whole = whole - piece.surface.cost + _priced(piece.surface)
+        whole = whole - piece.surface.cost + priced(piece.surface)
     if not piece.parts:
         return whole, [piece]
     divided = [_divided(part) for part in piece.parts]
@@ -189,7 +153,7 @@ def _pieces(noisy: NoisyMesh, models: Sequence[Surface], label: IntArray) -> lis
             continue
         length = 0.5 * OUTSIDE**2 * len(facets) + REGION
         piece = _Piece(facets, None, length, own)
-        one = _surface(noisy, facets, own, ())
+        one = general_surface(noisy, facets, own, ())
         if one is not None and one.cost + REGION < length:
             piece = _Piece(facets, one, one.cost + REGION, own, (piece,))
         pieces.append(piece)
@@ -214,30 +178,8 @@ def _joined(noisy: NoisyMesh, a: _Piece, b: _Piece) -> _Piece | None:
         a.moments.motion + b.moments.motion, a.moments.metric + b.moments.metric
     )
     starts = [p.surface.reference for p in (a, b) if isinstance(p.surface, Swept)]
-    one = _surface(noisy, facets, moments, starts)
+    one = general_surface(noisy, facets, moments, starts)
     if one is None:
         return None
     length = one.cost + REGION + FLAT * (a.planes + b.planes)
     return _Piece(facets, one, length, moments, (a, b))
-
-
-def _surface(
-    noisy: NoisyMesh, facets: IntArray, moments: SlippageMoments, starts: Sequence[Reference]
-) -> Swept | Freeform | None:
-    """The likeliest swept or freeform surface of some facets."""
-    if len(facets) < LEAST:
-        return None
-    best: Swept | Freeform | None = fit_freeform(noisy, facets)
-    if float(slippable_motions(moments)[0][0, 0]) > SLIP:
-        return best
-    for name in MOTIONS:
-        if name == "helical" and isinstance(best, Swept) and best.explains:
-            break
-        swept = fit_swept(noisy, facets, name, starts)
-        if swept is not None and (best is None or _priced(swept) < _priced(best)):
-            best = swept
-    return best
-
-
-def _priced(surface: Swept | Freeform) -> float:
-    return surface.cost + PRIOR[surface.invariance_class]

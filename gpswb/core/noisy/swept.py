@@ -1,10 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Swept surfaces of noisy regions: a motion, and a cubic spline for the profile that it carries."""
+"""A swept surface of a noisy region: a motion, and a cubic spline for the profile it carries."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
@@ -12,47 +11,17 @@ from scipy.interpolate import BSpline
 from scipy.spatial import cKDTree
 
 from gpswb.core.invariance import InvarianceClass
-from gpswb.core.mesh import FloatArray, IntArray
-from gpswb.core.motion_chart import MotionChart
+from gpswb.core.mesh import FloatArray
 from gpswb.core.noisy.models import EXCESS, SURE
-from gpswb.core.noisy.noisy_mesh import NoisyMesh
-from gpswb.core.noisy.profile_length import profile_length, quotient_gradient
+from gpswb.core.noisy.profile_length import quotient_gradient
 from gpswb.core.quotient import axis_coordinates, quotient_coordinates
-from gpswb.core.recognition import slip_of
-from gpswb.core.reference import Reference, estimate_references, spread
-from gpswb.core.thickness import quotient_jacobian
+from gpswb.core.reference import Reference
 
 MOTIONS: dict[InvarianceClass, int] = {"prismatic": 2, "revolute": 4, "helical": 5}
 """Classes of one motion, simplest first, with the unknowns of the motion."""
 
-INTERVALS = (1, 2, 3, 5, 8, 12, 18, 27, 40)
-"""Intervals of the spline that are tried. They are of one length: a profile with short rounds
-between long straights takes many, and is cheaper as planes and cylinders."""
-
-PATIENCE = 2
-"""Refinements of the spline in a row that may be for nothing."""
-
-SAMPLE = 600
-"""Vertices that a profile is fitted to: fifteen for each interval at the finest."""
-
-STEPS = 8
-"""Corrections of motion and length along the profile for each number of intervals, at most."""
-
-SETTLED = 0.002
-"""Share of chi-square that a correction saves at least, or it was the last."""
-
-SLIP = 0.02
-"""Mean squared sine between a motion and the denoised normals up to which a profile is sought: they
-are off by up to 0.1 rad, the more so where a region is narrow."""
-
-LEAD = 30.0
-"""Sigma that a lead is long at least: where it is shorter, points fill it, and any profile fits."""
-
 OUTSIDE = 4.0
 """Distance in sigma beyond which a vertex counts as if it were so far: it is a stray."""
-
-NEWTON = 3
-"""Steps to the nearest point of the profile."""
 
 TABLE = 400
 """Points of a profile among which the nearest is looked up."""
@@ -107,7 +76,7 @@ class Swept:
         Beyond an end of the profile it is the distance to that end.
         """
         tree, point, tangent = self._table
-        quotient = _quotient(points, self.invariance_class, self.reference, self.curve)
+        quotient = profile_coordinates(points, self.invariance_class, self.reference, self.curve)
         _, near = tree.query(quotient)
         gap, tangent = quotient - point[near], tangent[near]
         normal = np.column_stack([-tangent[:, 1], tangent[:, 0]])
@@ -123,137 +92,7 @@ class Swept:
         return height / stretch, across / stretch[:, None]
 
 
-def fit_swept(
-    noisy: NoisyMesh,
-    facets: IntArray,
-    name: InvarianceClass,
-    starts: Sequence[Reference] = (),
-) -> Swept | None:
-    """The likeliest surface of a motion through some facets.
-
-    Args:
-        noisy: the mesh and its noise.
-        facets: (k,) connected facets.
-        name: the class.
-        starts: motions that may be near, besides the one that the denoised normals show.
-
-    Returns:
-        None where the facets have no such motion at all.
-    """
-    mesh = noisy.mesh
-    inner = _inner(noisy, facets)
-    shown = estimate_references(
-        mesh.centroids[inner], noisy.normals[inner], mesh.areas[inner], (name,)
-    )[name]
-    best: Swept | None = None
-    for start in (shown, *starts):
-        usable = np.isfinite(start.lead) and (name != "helical" or start.lead != 0.0)
-        slip = slip_of(mesh.centroids[inner], noisy.normals[inner], mesh.areas[inner], name, start)
-        if usable and slip <= SLIP:
-            found = _from(noisy, facets, name, start)
-            if found is not None and (best is None or found.cost < best.cost):
-                best = found
-    if best is None:
-        return None
-    _, normal = best.distance(mesh.centroids[inner])
-    toward = np.einsum("nk,nk,n->", normal, noisy.normals[inner], mesh.areas[inner])
-    return replace(best, side=float(np.sign(toward)))
-
-
-def _inner(noisy: NoisyMesh, facets: IntArray) -> IntArray:
-    """Facets whose neighbours are all of the region, if they are most of it: at its border denoised
-    normals lean to the other side."""
-    inside = np.zeros(len(noisy.mesh.triangles), dtype=bool)
-    inside[facets] = True
-    near = noisy.graph.neighbour[facets]
-    inner = facets[(inside[np.maximum(near, 0)] & (near >= 0)).all(axis=1)]
-    return inner if 2 * len(inner) > len(facets) else facets
-
-
-def _from(
-    noisy: NoisyMesh, facets: IntArray, name: InvarianceClass, reference: Reference
-) -> Swept | None:
-    """The likeliest surface of a motion that is near a given one."""
-    vertices, length = profile_length(noisy, facets, name, reference)
-    points = noisy.mesh.vertices[vertices]
-    some = spread(len(vertices), SAMPLE)
-    best: Swept | None = None
-    idle = 0
-    for intervals in INTERVALS:
-        if 3 * (intervals + 3) > len(some):
-            break
-        found = _fitted(points[some], length[some], name, reference, intervals, noisy.sigma)
-        if found is None:
-            break
-        reference, curve, along = found
-        # The others have moved along the profile as those of the sample.
-        order = np.argsort(length[some], kind="stable")
-        start = np.interp(length, length[some][order], along[order])
-        chi = _total((_heights(points, start, name, reference, curve) / noisy.sigma) ** 2)
-        swept = Swept(name, reference, curve, 1.0, chi, len(points))
-        idle = 0 if best is None or swept.cost < best.cost else idle + 1
-        if idle == 0:
-            best = swept
-        elif idle == PATIENCE:
-            break
-    return best
-
-
-def _fitted(
-    points: FloatArray,
-    length: FloatArray,
-    name: InvarianceClass,
-    reference: Reference,
-    intervals: int,
-    sigma: float,
-) -> tuple[Reference, BSpline, FloatArray] | None:
-    """Motion, profile (a spline with so many intervals), and where the points (n,) are along it.
-
-    Gauss-Newton: each round fits the profile, which is linear, then moves the motion by the
-    distances that the profile can't follow, and each point along the profile to where it is
-    nearest.
-    """
-    centre = points.mean(axis=0)
-    size = max(float(np.sqrt(((points - centre) ** 2).sum(axis=1).mean())), 1e-300)
-    best: tuple[Reference, BSpline, FloatArray] | None = None
-    least = np.inf
-    for _ in range(STEPS):
-        if name == "helical" and abs(reference.lead) < LEAD * sigma:
-            break
-        quotient = _quotient(points, name, reference, None)
-        basis, curve = _spline(length, quotient, intervals)
-        off, slope = quotient - basis @ curve.c, curve(length, 1)
-        speed = np.maximum(np.linalg.norm(slope, axis=1), 1e-300)
-        tangent = slope / speed[:, None]
-        normal = np.column_stack([-tangent[:, 1], tangent[:, 0]])
-        gradient = quotient_gradient(points, name, reference)
-        stretch = np.linalg.norm(np.einsum("nqk,nq->nk", gradient, normal), axis=1)
-        stretch = np.maximum(stretch, 1e-300)
-        height = np.einsum("nq,nq->n", off, normal) / stretch
-        total = _total((height / sigma) ** 2)
-        settled = total > (1.0 - SETTLED) * least
-        if total < least:
-            least, best = total, (reference, curve, length)
-        if settled:
-            break
-        turned = quotient_jacobian(points, name, reference)
-        change = np.einsum("nqp,nq->np", turned, normal / stretch[:, None])
-        change = change @ MotionChart(name, reference, centre, size).derivative()
-        if not np.isfinite(change).all():
-            break
-        near = np.abs(height) <= OUTSIDE * sigma
-        across = basis[near]
-        gram = across.T @ across + 1e-9 * len(across) * np.eye(across.shape[1])
-        design = change[near] - across @ np.linalg.solve(gram, across.T @ change[near])
-        step = np.linalg.lstsq(design, -height[near], rcond=1e-6)[0]
-        reference = MotionChart(name, reference, centre, size).moved(step)
-        if not np.isfinite([*reference.point, *reference.direction, reference.lead]).all():
-            break
-        length = length + np.einsum("nq,nq->n", off, tangent) / speed
-    return best
-
-
-def _quotient(
+def profile_coordinates(
     points: FloatArray, name: InvarianceClass, reference: Reference, curve: BSpline | None
 ) -> FloatArray:
     """Quotient coordinates (n, 2) of points (n, 3), helical heights within half a lead of the
@@ -270,46 +109,3 @@ def _quotient(
         lead = abs(reference.lead)
         quotient[:, 1] = height - lead * np.round((height - middle) / lead)
     return quotient
-
-
-def _heights(
-    points: FloatArray,
-    along: FloatArray,
-    name: InvarianceClass,
-    reference: Reference,
-    curve: BSpline,
-) -> FloatArray:
-    """(n,) mm distances of points (n, 3) from where they are nearest to the profile, sought from
-    ``along`` (n,) on: elsewhere another part of the profile may be nearer by chance."""
-    quotient = _quotient(points, name, reference, curve)
-    for _ in range(NEWTON):
-        off, slope = quotient - curve(along), curve(along, 1)
-        speed = np.maximum((slope**2).sum(axis=1), 1e-300)
-        along = np.clip(along + (off * slope).sum(axis=1) / speed, curve.t[0], curve.t[-1])
-    off, slope = quotient - curve(along), curve(along, 1)
-    normal = np.column_stack([-slope[:, 1], slope[:, 0]])
-    normal /= np.maximum(np.linalg.norm(slope, axis=1), 1e-300)[:, None]
-    gradient = quotient_gradient(points, name, reference)
-    stretch = np.linalg.norm(np.einsum("nqk,nq->nk", gradient, normal), axis=1)
-    height: FloatArray = (off * normal).sum(axis=1) / np.maximum(stretch, 1e-300)
-    return height
-
-
-def _spline(length: FloatArray, quotient: FloatArray, intervals: int) -> tuple[FloatArray, BSpline]:
-    """(n, intervals + 3) cubic B-splines at lengths (n,), and the curve through (n, 2) points."""
-    low = float(length.min())
-    high = low + max(float(np.ptp(length)), 1e-300) * (1.0 + 1e-9)
-    knots = np.linspace(low, high, intervals + 1)
-    knots = np.concatenate([np.full(3, low), knots, np.full(3, high)])
-    basis: FloatArray = BSpline.design_matrix(length, knots, 3).toarray()
-    # A little stiffness bridges intervals without points.
-    bend = np.diff(np.eye(intervals + 3), 2, axis=0)
-    gram = basis.T @ basis
-    gram = gram + float(np.trace(gram)) / len(gram) * (
-        1e-6 * bend.T @ bend + 1e-12 * np.eye(len(gram))
-    )
-    return basis, BSpline(knots, np.linalg.solve(gram, basis.T @ quotient), 3)
-
-
-def _total(squares: FloatArray) -> float:
-    return float(np.minimum(squares, OUTSIDE**2).sum())

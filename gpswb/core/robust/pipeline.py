@@ -15,7 +15,7 @@ from gpswb.core.mesh import BoolArray, IntArray, Mesh
 from gpswb.core.noisy.segmentation import segment
 from gpswb.core.partition import Partition, Region
 from gpswb.core.projection import number_facet_regions
-from gpswb.core.recognition import recognise
+from gpswb.core.recognition import always, recognise
 from gpswb.core.region_samples import confined_normals, region_samples
 from gpswb.core.robust.absorb import absorb_pieces
 from gpswb.core.robust.competition import compete
