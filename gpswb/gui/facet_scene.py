@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 from pivy import coin
 
@@ -50,18 +52,10 @@ class FacetScene:
         behind, filled = coin.SoPolygonOffset(), coin.SoSeparator()
         for node in (behind, shading, material, binding, self._faces):
             filled.addChild(node)
-        dark, flat, outline = coin.SoBaseColor(), coin.SoLightModel(), coin.SoDrawStyle()
-        dark.rgb.setValue(0.1, 0.1, 0.1)
-        flat.model = coin.SoLightModel.BASE_COLOR
-        outline.style = coin.SoDrawStyle.LINES
-        edges, wire = coin.SoIndexedFaceSet(), coin.SoSeparator()
-        edges.coordIndex.connectFrom(self._faces.coordIndex)
-        for node in (dark, flat, outline, edges):
-            wire.addChild(node)
         self.root.addChild(points)
         self.root.addChild(filled)
         if _typical_edge(mesh) > EDGES * mesh.diagonal:
-            self.root.addChild(wire)
+            self.root.addChild(_outlines(self._faces))
 
     def highlight(self, marked: BoolArray) -> None:
         """Give the facets where (m,) ``marked`` is true the colour of what is selected."""
@@ -76,3 +70,16 @@ def _typical_edge(mesh: Mesh) -> float:
     """Median of the lengths of a side of each facet, mm."""
     a, b = mesh.vertices[mesh.triangles[:, 0]], mesh.vertices[mesh.triangles[:, 1]]
     return float(np.median(np.linalg.norm(b - a, axis=1)))
+
+
+def _outlines(faces: Any) -> Any:
+    """The edges of facets, dark."""
+    dark, flat, style = coin.SoBaseColor(), coin.SoLightModel(), coin.SoDrawStyle()
+    dark.rgb.setValue(0.1, 0.1, 0.1)
+    flat.model = coin.SoLightModel.BASE_COLOR
+    style.style = coin.SoDrawStyle.LINES
+    edges, outlines = coin.SoIndexedFaceSet(), coin.SoSeparator()
+    edges.coordIndex.connectFrom(faces.coordIndex)
+    for node in (dark, flat, style, edges):
+        outlines.addChild(node)
+    return outlines

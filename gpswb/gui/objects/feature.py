@@ -73,17 +73,17 @@ def sync_features(partition: Any, stored: StoredResult) -> Iterator[None]:
     """Make a partition's features those of a result; a slice a feature, iterate to the end."""
     document = partition.Document
     on_region, _ = faces_and_bodies(stored.faces)
-    regions = [region for region in stored.partition.regions if region.id in on_region]
+    regions = [(i, r) for i, r in enumerate(stored.partition.regions) if r.id in on_region]
     with_faces = bool(stored.document["faces"])
     old = features(partition)
     count: Counter[str] = Counter()
     made: list[Any] = []
-    for i, region in enumerate(sorted(regions, key=lambda r: -r.area)):
+    for i, (place, region) in enumerate(sorted(regions, key=lambda entry: -entry[1].area)):
         obj = old[i] if i < len(old) else _new(document)
         count[region.surface] += 1
         _fill(obj, region)
         obj.Faces = [(partition.Source, tuple(on_region[region.id]))] if with_faces else []
-        obj.Shape = situation_shape(region, _vertices(stored, region))
+        obj.Shape = situation_shape(region, _vertices(stored, place))
         word = compat.translate("GPS", region.surface).capitalize()
         obj.Label = f"{word} {count[region.surface]}"
         obj.purgeTouched()
@@ -113,9 +113,9 @@ def animate(obj: Any) -> None:
         FeatureView(obj.ViewObject)
 
 
-def _vertices(stored: StoredResult, region: Region) -> FloatArray:
-    """(n, 3) vertices of the mesh in a region."""
-    facets = stored.partition.region == stored.partition.regions.index(region)
+def _vertices(stored: StoredResult, place: int) -> FloatArray:
+    """(n, 3) vertices of the mesh in a region, by its place among the regions."""
+    facets = stored.partition.region == place
     mesh = stored.solid.mesh
     found: FloatArray = mesh.vertices[np.unique(mesh.triangles[facets])]
     return found

@@ -20,6 +20,7 @@ from gpswb.cad.freecad_measured import is_measurement
 from gpswb.core.invariance import InvarianceClass
 from gpswb.errors import GpswbError, InputError
 from gpswb.gui import compat, preferences
+from gpswb.gui.aside import aside
 from gpswb.gui.fingerprint import fingerprint
 from gpswb.gui.measured_changes import follow_measurements
 from gpswb.gui.objects.annotation import animate as animate_annotation
@@ -219,8 +220,10 @@ def finish_run(obj: Any, document: dict[str, Any], labels: Path) -> Iterator[Non
     """Put the result of a run into the object, in slices: iterate to the end."""
     obj.Labels = str(labels)
     obj.Result = json.dumps(document)
-    obj.RunKey = run_key(obj)
     yield
+    obj.RunKey = run_key(obj)
+    stored = yield from aside(lambda: _read_run(document, labels))
+    _keep(obj, stored)
     yield from show_result(obj)
 
 
@@ -275,15 +278,25 @@ def stored_result(obj: Any) -> StoredResult:
     if not obj.Result or not obj.Labels:
         raise InputError(f"{obj.Label} has no result yet")
     known = _read.get(obj.Labels)
-    if known is None or known[0] != hash(obj.Result):
-        try:
-            document = json.loads(obj.Result)
-        except ValueError as error:
-            raise InputError(f"the result of {obj.Label} is damaged ({error})") from None
-        known = hash(obj.Result), with_pieces(read_stored_result(document, Path(obj.Labels)))
-        _read.clear()
-        _read[obj.Labels] = known
-    return known[1]
+    if known is not None and known[0] == hash(obj.Result):
+        return known[1]
+    try:
+        document = json.loads(obj.Result)
+    except ValueError as error:
+        raise InputError(f"the result of {obj.Label} is damaged ({error})") from None
+    return _keep(obj, _read_run(document, Path(obj.Labels)))
+
+
+def _read_run(document: dict[str, Any], labels: Path) -> StoredResult:
+    stored = with_pieces(read_stored_result(document, labels))
+    _ = stored.solid.mesh.areas  # computed once, at the first use: colours and tables ask for it
+    return stored
+
+
+def _keep(obj: Any, stored: StoredResult) -> StoredResult:
+    _read.clear()
+    _read[obj.Labels] = hash(obj.Result), stored
+    return stored
 
 
 _read: dict[str, tuple[int, StoredResult]] = {}
