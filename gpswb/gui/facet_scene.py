@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from pivy import coin
 
-from gpswb.core.mesh import BoolArray, Mesh
+from gpswb.core.mesh import BoolArray, IntArray, Mesh
 from gpswb.gui import compat
 from gpswb.gui.colouring import Colouring
 
@@ -23,9 +23,10 @@ class FacetScene:
     Args:
         mesh: the mesh, mm.
         colours: those of its facets.
+        region: (m,) number of each facet's region, between which there are dark borders.
     """
 
-    def __init__(self, mesh: Mesh, colours: Colouring) -> None:
+    def __init__(self, mesh: Mesh, colours: Colouring, region: IntArray) -> None:
         self.root = coin.SoSeparator()
         self._faces = coin.SoIndexedFaceSet()
         self._marked = np.zeros(len(mesh.triangles), dtype=bool)
@@ -54,8 +55,9 @@ class FacetScene:
             filled.addChild(node)
         self.root.addChild(points)
         self.root.addChild(filled)
+        self.root.addChild(_borders(mesh, region))
         if _typical_edge(mesh) > EDGES * mesh.diagonal:
-            self.root.addChild(_outlines(self._faces))
+            self.root.addChild(_edges(self._faces))
 
     def highlight(self, marked: BoolArray) -> None:
         """Give the facets where (m,) ``marked`` is true the colour of what is selected."""
@@ -72,14 +74,31 @@ def _typical_edge(mesh: Mesh) -> float:
     return float(np.median(np.linalg.norm(b - a, axis=1)))
 
 
-def _outlines(faces: Any) -> Any:
-    """The edges of facets, dark."""
+def _edges(faces: Any) -> Any:
+    """The edges of all facets."""
+    edges = coin.SoIndexedFaceSet()
+    edges.coordIndex.connectFrom(faces.coordIndex)
+    return _dark(edges, 1.0)
+
+
+def _borders(mesh: Mesh, region: IntArray) -> Any:
+    """The edges between regions."""
+    one, other = region[mesh.facet_pairs].T
+    ends = mesh.pair_edges[one != other]
+    lines = np.full((len(ends), 3), -1)
+    lines[:, :2] = ends
+    borders = coin.SoIndexedLineSet()
+    borders.coordIndex.setValues(0, lines.size, lines.ravel().tolist())
+    return _dark(borders, 2.0)
+
+
+def _dark(shape: Any, width: float) -> Any:
+    """A shape in dark lines, pixels wide."""
     dark, flat, style = coin.SoBaseColor(), coin.SoLightModel(), coin.SoDrawStyle()
     dark.rgb.setValue(0.1, 0.1, 0.1)
     flat.model = coin.SoLightModel.BASE_COLOR
-    style.style = coin.SoDrawStyle.LINES
-    edges, outlines = coin.SoIndexedFaceSet(), coin.SoSeparator()
-    edges.coordIndex.connectFrom(faces.coordIndex)
-    for node in (dark, flat, style, edges):
-        outlines.addChild(node)
-    return outlines
+    style.style, style.lineWidth = coin.SoDrawStyle.LINES, width
+    inside = coin.SoSeparator()
+    for node in (dark, flat, style, shape):
+        inside.addChild(node)
+    return inside

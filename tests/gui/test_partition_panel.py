@@ -3,6 +3,7 @@
 
 import json
 
+import FreeCAD
 import FreeCADGui
 import pytest
 from window import objects, picture, settle, wait
@@ -121,3 +122,42 @@ def test_pick_the_part_while_the_panel_is_open(block):
     settle()
     assert panel.source is other
     assert panel.button.isEnabled()
+
+
+@pytest.mark.parametrize("what", ["part", "document"])
+def test_what_it_works_on_goes_while_it_runs(block, what):
+    FreeCADGui.Selection.addSelection(block)
+    panel = open_panel()
+    panel.button.click()
+    run = panel._run
+    settle(0.5)
+    assert run.running
+    document = block.Document
+    if what == "part":
+        document.openTransaction("Delete")
+        document.removeObject(block.Name)
+        document.commitTransaction()
+    else:
+        FreeCAD.closeDocument(document.Name)
+    settle()
+    assert shown_panel() is None
+    assert FreeCADGui.Control.activeDialog() is False
+    assert not run.running
+    if what == "part":
+        assert objects(document) == []
+        document.undo()
+        settle()
+        assert objects(document) == ["Block"]
+
+
+def test_a_partition_goes_while_it_is_asked_about(block, partition):
+    FreeCADGui.runCommand("GPS_Query", 0)
+    settle()
+    assert shown_panel() is not None
+    block.Document.openTransaction("Delete")
+    block.Document.removeObject(partition.Name)
+    block.Document.commitTransaction()
+    settle()
+    assert shown_panel() is None
+    FreeCADGui.Selection.addSelection(block.Document.Name, block.Name, "Face1")
+    settle()

@@ -289,7 +289,8 @@ def stored_result(obj: Any) -> StoredResult:
 
 def _read_run(document: dict[str, Any], labels: Path) -> StoredResult:
     stored = with_pieces(read_stored_result(document, labels))
-    _ = stored.solid.mesh.areas  # computed once, at the first use: colours and tables ask for it
+    # Computed once, at the first use: colours and borders ask for them while the window waits.
+    _ = stored.solid.mesh.areas, stored.solid.mesh.pair_edges
     return stored
 
 

@@ -79,7 +79,8 @@ class PartitionView(Stateless):
                 other.ViewObject.Visibility = False
         if view.Elements == FACETS or is_measurement(view.Object.Source):
             restore_colours(view)
-            self.scene = FacetScene(effective_result(view.Object)[0].solid.mesh, found)
+            partition = effective_result(view.Object)[0].partition
+            self.scene = FacetScene(partition.mesh, found, partition.region)
             self.mesh.addChild(self.scene.root)
             self.highlight()
             _show_source(view, False)

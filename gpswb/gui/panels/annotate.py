@@ -58,9 +58,13 @@ class AnnotatePanel:
 
     def reject(self) -> bool:
         """Close."""
-        FreeCADGui.Selection.removeObserver(self)
+        self.stop()
         close_panel()
         return True
+
+    def stop(self) -> None:
+        """See `show_panel`."""
+        FreeCADGui.Selection.removeObserver(self)
 
     @property
     def feature(self) -> GpsFeature | None:

@@ -65,9 +65,13 @@ class DatumsPanel:
 
     def reject(self) -> bool:
         """Close; nothing changes."""
-        FreeCADGui.Selection.removeObserver(self)
+        self.stop()
         close_panel()
         return True
+
+    def stop(self) -> None:
+        """See `show_panel`."""
+        FreeCADGui.Selection.removeObserver(self)
 
     def pick(self, letter: str) -> None:
         """Let a letter take the faces that are selected from now on; its own are selected."""

@@ -86,9 +86,20 @@ class PartitionPanel:
 
     def reject(self) -> bool:
         """Cancel: nothing of a run that has not ended is left."""
-        self._stop()
+        storing = isinstance(self.watch, Slices)
+        self.stop()
+        if storing:
+            self.source.Document.abortTransaction()
         close_panel()
         return True
+
+    def stop(self) -> None:
+        """See `show_panel`."""
+        self._stop_count()
+        FreeCADGui.Selection.removeObserver(self)
+        if self.watch is not None:
+            self.watch.stop()
+        self._end_run()
 
     def addSelection(self, document: str, name: str, sub: str, point: Any) -> None:
         """The user has clicked something: take it as the part, if it is one."""
@@ -252,15 +263,6 @@ class PartitionPanel:
         self.inputs.setEnabled(True)
         self.button.setEnabled(True)
         self.message.setText(f"<span style='color:#c00000'>{_plain(why)}</span>")
-
-    def _stop(self) -> None:
-        self._stop_count()
-        FreeCADGui.Selection.removeObserver(self)
-        if self.watch is not None:
-            self.watch.stop()
-            if isinstance(self.watch, Slices):
-                self.source.Document.abortTransaction()
-        self._end_run()
 
     def _end_run(self) -> None:
         if self._run is not None:

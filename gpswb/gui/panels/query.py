@@ -71,9 +71,13 @@ class QueryPanel:
 
     def reject(self) -> bool:
         """Close."""
-        FreeCADGui.Selection.removeObserver(self)
+        self.stop()
         close_panel()
         return True
+
+    def stop(self) -> None:
+        """See `show_panel`."""
+        FreeCADGui.Selection.removeObserver(self)
 
     def refresh(self, *_: Any) -> None:
         """Say what is known of the face that was clicked last."""
@@ -109,9 +113,10 @@ class QueryPanel:
             more = translate("GPS", "{} faces are selected; this is the last.").format(len(faces))
             others = f"<p>{escape(more)}</p>"
         title = translate("GPS", "Ranking by log-likelihood")
+        how = translate("GPS", "Nested classes rank close: the simplest that fits is taken.")
         return (
             f"<h3>{escape(name)}</h3>{others}<table>{rows}</table>"
-            f"<h4>{escape(title)}</h4><table>{ranking}</table>"
+            f"<h4>{escape(title)}</h4><table>{ranking}</table><p><i>{escape(how)}</i></p>"
         )
 
     def _override(self, action: Action) -> None:

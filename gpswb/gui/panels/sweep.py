@@ -72,9 +72,13 @@ class SweepPanel:
 
     def reject(self) -> bool:
         """Close; a run that has not ended is cancelled."""
-        self._end()
+        self.stop()
         close_panel()
         return True
+
+    def stop(self) -> None:
+        """See `show_panel`."""
+        self._end()
 
     def run(self) -> None:
         """Start the runs."""

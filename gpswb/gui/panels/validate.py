@@ -67,6 +67,9 @@ class ValidatePanel:
         close_panel()
         return True
 
+    def stop(self) -> None:
+        """See `show_panel`; nothing runs here."""
+
     def _select(self) -> None:
         rows = {index.row() for index in self.table.selectedIndexes()}
         select_faces(self.partition, [self.table.item(row, 0).text() for row in sorted(rows)])

@@ -232,6 +232,10 @@
       <translation type="unfinished" />
     </message>
     <message>
+      <source>Nested classes rank close: the simplest that fits is taken.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <source>No faces for this letter</source>
       <translation type="unfinished" />
     </message>
@@ -757,6 +761,10 @@
     </message>
     <message>
       <source>the CAD class is disputed</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>the panel is closed: what it worked on is gone</source>
       <translation type="unfinished" />
     </message>
     <message>

@@ -232,6 +232,10 @@
       <translation>Rahmen verschieben</translation>
     </message>
     <message>
+      <source>Nested classes rank close: the simplest that fits is taken.</source>
+      <translation>Verschachtelte Klassen liegen nah beieinander: die einfachste, die passt, gilt.</translation>
+    </message>
+    <message>
       <source>No faces for this letter</source>
       <translation>Keine Flächen für diesen Buchstaben</translation>
     </message>
@@ -758,6 +762,10 @@
     <message>
       <source>the CAD class is disputed</source>
       <translation>die CAD-Klasse ist strittig</translation>
+    </message>
+    <message>
+      <source>the panel is closed: what it worked on is gone</source>
+      <translation>das Fenster ist geschlossen: woran es arbeitete, ist gelöscht</translation>
     </message>
     <message>
       <source>there is no part: import one</source>
