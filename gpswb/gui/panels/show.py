@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Show a task panel, in place of the one that is open.
 
-A panel works on ``source``, ``partition`` or ``obj``, attributes of its own. It has ``reject``, which
-closes it as its Close button does, and ``stop``, which ends what it watches and runs and leaves the
-document alone: that is called when what it works on is deleted. FreeCAD keeps deleted objects for
-undo, and crashes when they are changed there.
+A panel works on ``source``, ``partition`` or ``obj``, attributes of its own. It has ``reject``,
+which closes it as its Close button does, and ``stop``, which ends what it watches and runs and
+leaves the document alone: that is called when what it works on is deleted. FreeCAD keeps deleted
+objects for undo, and crashes when they are changed there.
 """
 
 from __future__ import annotations
