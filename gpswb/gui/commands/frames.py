@@ -12,7 +12,7 @@ from pivy import coin
 
 from gpswb.core.mesh import FloatArray
 from gpswb.gui import compat
-from gpswb.gui.commands.command import BaseCommand
+from gpswb.gui.commands.command import ResultCommand
 from gpswb.gui.compat import QT_TRANSLATE_NOOP, translate
 from gpswb.gui.frame_axes import axes_of
 from gpswb.gui.frame_picture import HEIGHT
@@ -22,7 +22,7 @@ _WITH_GAP = 1.5
 """Row of frames, of a frame's height."""
 
 
-class Command(BaseCommand):
+class Command(ResultCommand):
     """Put the frames of a partition beside its part as the 3-D view shows it."""
 
     name = "GPS_Frames"
@@ -31,13 +31,16 @@ class Command(BaseCommand):
         "GPS_Frames", "Lay the frames out beside the part as this view shows it, none over another"
     )
     shortcut = "G, F"
+    faces = True
 
-    def IsActive(self) -> bool:
+    def why_not(self) -> str:
         from gpswb.gui.objects.annotation import annotations_of
         from gpswb.gui.selection import with_result
 
-        partition = with_result()
-        return partition is not None and bool(annotations_of(partition)) and _camera() is not None
+        reason = super().why_not()
+        if not reason and not (annotations_of(with_result()) and _camera() is not None):
+            return str(translate("GPS", "there are no frames in this view"))
+        return reason
 
     def run(self) -> None:
         from gpswb.gui.annotation_state import place_frames

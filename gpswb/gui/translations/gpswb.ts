@@ -768,6 +768,10 @@
       <translation type="unfinished" />
     </message>
     <message>
+      <source>there are no frames in this view</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <source>there is no part: import one</source>
       <translation type="unfinished" />
     </message>

@@ -768,6 +768,10 @@
       <translation>das Fenster ist geschlossen: woran es arbeitete, ist gelöscht</translation>
     </message>
     <message>
+      <source>there are no frames in this view</source>
+      <translation>in dieser Ansicht sind keine Rahmen</translation>
+    </message>
+    <message>
       <source>there is no part: import one</source>
       <translation>es ist kein Teil da: eines importieren</translation>
     </message>
