@@ -100,5 +100,5 @@ def _region_rows(region: Region) -> list[tuple[str, str]]:
     for key, value in region.intrinsic.items():
         unit = angle if key.endswith("_deg") else length
         rows.append((translate("GPS", _NAMES[key]), quantity(value, unit)))
-    rows.append((translate("GPS", "Residual"), f"{region.residual:.2g} mm"))
+    rows.append((translate("GPS", "Residual"), f"{round(region.residual, 9):.2g} mm"))
     return rows

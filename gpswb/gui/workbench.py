@@ -16,7 +16,7 @@ class GpsWorkbench(FreeCADGui.Workbench):
 
     MenuText = "GPS"
     ToolTip = "Recognise the ISO GPS invariance classes of a part's faces, and annotate them"
-    Icon = str(ICONS / "gpswb.svg")
+    Icon = str(ICONS / "preferences-gps.svg")  # the name that FreeCAD looks for, for the page
 
     def Initialize(self) -> None:
         """Make commands, menu, toolbar and preferences page; FreeCAD calls it once."""

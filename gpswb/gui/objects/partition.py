@@ -21,6 +21,7 @@ from gpswb.core.invariance import InvarianceClass
 from gpswb.errors import GpswbError, InputError
 from gpswb.gui import compat, preferences
 from gpswb.gui.aside import aside
+from gpswb.gui.compat import translate
 from gpswb.gui.fingerprint import fingerprint
 from gpswb.gui.measured_changes import follow_measurements
 from gpswb.gui.objects.annotation import animate as animate_annotation
@@ -161,7 +162,7 @@ def make_partition(source: Any, density: str = "", mode: str = "", *, compute: b
     obj = source.Document.addObject("App::FeaturePython", "GpsPartition")
     try:
         animate(obj)
-        obj.Label = f"GPS Partition of {source.Label}"
+        obj.Label = str(translate("GPS", "GPS Partition of {}")).format(source.Label)
         obj.Source = source
         obj.Density = density
         obj.Mode = mode or preferences.default_mode()

@@ -28,6 +28,7 @@ class ValidatePanel:
         self.form.setWindowIcon(QtGui.QIcon(icon("GPS_Validate")))
         layout = QtWidgets.QVBoxLayout(self.form)
         figures = QtWidgets.QFormLayout()
+        figures.setRowWrapPolicy(QtWidgets.QFormLayout.WrapLongRows)
         for name, text in figures_of(stored.document):
             value = QtWidgets.QLabel(f"<b>{text}</b>")
             value.setWordWrap(True)

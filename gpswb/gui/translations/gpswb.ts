@@ -168,6 +168,10 @@
       <translation type="unfinished" />
     </message>
     <message>
+      <source>GPS Partition of {}</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <source>GPS features</source>
       <translation type="unfinished" />
     </message>

@@ -168,6 +168,10 @@
       <translation>Fein</translation>
     </message>
     <message>
+      <source>GPS Partition of {}</source>
+      <translation>GPS-Partition von {}</translation>
+    </message>
+    <message>
       <source>GPS features</source>
       <translation>GPS-Geometrieelemente</translation>
     </message>
