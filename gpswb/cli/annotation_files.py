@@ -14,9 +14,7 @@ from gpswb.errors import InputError, KernelError
 from gpswb.gps.annotation import Annotation
 from gpswb.gps.review import Remark
 from gpswb.io.ap242.compare import differences
-from gpswb.io.ap242.match import match_faces
-from gpswb.io.ap242.read_pmi import graphic_annotations, read_pmi
-from gpswb.io.ap242.structure import shapes_of
+from gpswb.io.ap242.present import present_pmi
 from gpswb.io.ap242.verified import check_read_back, write_verified_ap242
 from gpswb.io.ap242.write import read_text
 from gpswb.io.features_csv import write_features_csv, write_specifications_csv
@@ -33,18 +31,10 @@ def read_present(path: Path, solid: Solid) -> tuple[Pmi | None, str]:
     if path.suffix.lower() not in STEP or solid.facemap is None:
         return None, ""
     try:
-        file = read_text(path)
-        pmi = None
-        if any(True for _ in file.of("DATUM", "SHAPE_ASPECT")):
-            faces = match_faces(file, shapes_of(file), solid.mesh, solid.facemap)
-            pmi = read_pmi(file, faces) or None
-        drawn = graphic_annotations(file)
+        return present_pmi(read_text(path), solid)
     except InputError as error:
         # The kernel may read what is too odd for us: the features are there, the PMI isn't.
         return None, f"PMI in the file can't be reviewed: {error}"
-    if pmi is None and drawn:
-        return None, f"the file's PMI is graphic only ({drawn} annotations): nothing to review"
-    return pmi, ""
 
 
 def write_all(

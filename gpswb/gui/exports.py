@@ -10,11 +10,13 @@ from typing import Any
 
 from gpswb.cad.freecad_measured import is_measurement
 from gpswb.errors import InputError
+from gpswb.gps.review import review
 from gpswb.gui.annotation import annotation_of
 from gpswb.gui.annotation_rows import specification_rows
 from gpswb.gui.objects.partition import effective_result
 from gpswb.gui.original_file import original_of
 from gpswb.gui.pieces import without_pieces
+from gpswb.io.ap242.present import present_pmi
 from gpswb.io.ap242.verified import write_verified_ap242
 from gpswb.io.ap242.write import read_text
 from gpswb.io.faces_csv import write_faces
@@ -54,12 +56,24 @@ def _ply(path: Path, obj: Any) -> None:
 
 def _report(path: Path, obj: Any) -> None:
     stored = _plain(obj)
-    write_report(path, dict(stored.document), stored.partition, stored.solid.facemap)
+    facemap = stored.solid.facemap
+    features = _document(obj) if facemap is not None else None
+    write_report(path, dict(stored.document), stored.partition, facemap, features)
 
 
 def _features(path: Path, obj: Any) -> None:
-    source = _plain(obj).document["source"]
-    write_features_json(path, features_document(annotation_of(obj), source))
+    write_features_json(path, _document(obj))
+
+
+def _document(obj: Any) -> dict[str, Any]:
+    """Features and annotations, with a review of the PMI that the part's own STEP file holds."""
+    stored, annotation = _plain(obj), annotation_of(obj)
+    try:
+        present, _ = present_pmi(*original_of(obj.Source, stored.solid))
+    except InputError:  # there is no such file, or not any more
+        present = None
+    remarks = review(present, annotation.table) if present else ()
+    return features_document(annotation, stored.document["source"], remarks)
 
 
 def _features_csv(path: Path, obj: Any) -> None:

@@ -275,6 +275,15 @@ def test_pmi_goes_on_the_text_of_the_part_s_own_file(imported, tmp_path):
         line for line in lines_of(path) if "FILE_SCHEMA" not in line and "AUTOMOTIVE" not in line
     ]
     assert [line for line in written if line in set(own)][: len(own)] == own
+    # Back in the window, what is in that file now is reviewed.
+    (again,) = import_part(out, source.Document)
+    other = make_partition(again, density="coarse")
+    export(other, tmp_path / "again.features.json")
+    *datums, size = json.loads((tmp_path / "again.features.json").read_text("utf-8"))["review"]
+    assert [row["subject"] for row in datums] == ["datum A", "datum B", "datum C"]
+    assert (size["subject"], size["features"]) == ("diameter 8 -0.02/-0.1", ["Hole 1"])
+    export(other, tmp_path / "again.html")
+    assert "<i>" not in (tmp_path / "again.html").read_text("utf-8")
     assert any("LENGTH_MEASURE(-0.1)" in line for line in written[len(own) - 5 :])
 
 
