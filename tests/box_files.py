@@ -218,7 +218,7 @@ def every_pmi(
     tolerances: list[GeometricalTolerance | SizeTolerance] = []
     for i, (name, rule) in enumerate(RULES.items()):
         datums = () if rule.group == "form" else sections[i % 4]
-        modifiers = ("Ⓜ", "Ⓡ") if name == "position" else ("Ⓛ",) if name == "symmetry" else ()
+        modifiers = ("CZ", "Ⓜ", "Ⓡ") if name == "position" else ("Ⓛ",) if name == "symmetry" else ()
         prefix = {"position": "Ø", "coaxiality": "SØ"}.get(name, "")
         tolerances.append(
             GeometricalTolerance(on[i % 2], name, 0.01 + 0.001 * i, datums, modifiers, prefix)

@@ -27,7 +27,7 @@ class PmiTolerance:
         characteristic: name in ISO 1101, empty for none of them.
         value: width or diameter of its zone, mm; None if it can't be read.
         prefix: Ø, SØ or nothing.
-        modifiers: Ⓜ Ⓛ Ⓡ; what the file says beyond these in its own words.
+        modifiers: CZ Ⓜ Ⓛ Ⓡ; what the file says beyond these in its own words.
         datums: as ``A|B-C``.
         faces: of the toleranced feature; empty where it isn't made of faces.
     """

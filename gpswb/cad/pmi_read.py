@@ -53,6 +53,7 @@ _CHARACTERISTICS = {
 _PREFIX = {"Diameter": "Ø", "SphericalDiameter": "SØ"}
 _MATERIAL = {"M": "Ⓜ", "L": "Ⓛ"}
 _MODIFIERS = {
+    "Common_Zone": "CZ",
     "Maximum_Material_Requirement": "Ⓜ",
     "Least_Material_Requirement": "Ⓛ",
     "Reciprocity_Requirement": "Ⓡ",

@@ -80,7 +80,7 @@ def permitted_specifications(
                 datum=need,
                 datums=_section(name, rule.group, before, stands) if need != "none" else "",
                 modifiers=_modifiers(name, feature, kind),
-                combination="CZ" if kind == "group" else "UF" if feature.interrupted else "",
+                combination=_combination(feature, kind, rule.group),
                 zone=zone,
                 prefix=prefix,
             )
@@ -128,6 +128,13 @@ def _modifiers(name: Characteristic, feature: GpsFeature, kind: Family) -> tuple
     derived |= name == "straightness" and kind == "cylinder"
     derived |= name == "flatness" and kind == "opposed planes"
     return ("Ⓜ", "Ⓛ", "Ⓡ") if derived and feature.of_linear_size else ()
+
+
+def _combination(feature: GpsFeature, kind: Family, group: Group) -> str:
+    """CZ holds the zones of a group to one another (ISO 5458); form and run-out are of each."""
+    if kind == "group":
+        return "" if group in ("form", "run-out") else "CZ"
+    return "UF" if feature.interrupted else ""
 
 
 def _recommended(feature: GpsFeature, kind: Family, stands: Relation | None) -> Characteristic:

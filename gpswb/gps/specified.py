@@ -47,7 +47,8 @@ class SpecificationRow:
 class GeometricalTolerance:
     """One characteristic of one feature; ``remark`` where ISO 1101 speaks against it.
 
-    ``prefix`` stands before the value: nothing, Ø or SØ. A value of None is still open: "?".
+    ``modifiers`` are those of the row, after CZ where the feature is a group. ``prefix`` stands
+    before the value: nothing, Ø or SØ. A value of None is still open: "?".
     """
 
     feature: GpsFeature
@@ -156,7 +157,7 @@ def _specify(row: SpecificationRow, table: FeatureTable, letters: Letters) -> Sp
         name,
         row.value,
         datums,
-        row.modifiers,
+        (*(("CZ",) if rule.combination == "CZ" else ()), *row.modifiers),
         # With a modifier it is the median line's, whose zone is a cylinder.
         "Ø" if name == "straightness" and row.modifiers else rule.prefix,
         rule.reason if rule.status == "not allowed" else _modifier_remark(row, rule.modifiers),

@@ -36,7 +36,7 @@ def one(table, **row):
         (
             {"feature": "Hole pattern 1", "characteristic": "position", "value": 0.2,
              "datums": "A|B|C", "modifiers": ("Ⓜ",)},
-            "⌖ Ø0.2 Ⓜ | A | B | C", "",
+            "⌖ Ø0.2 CZ Ⓜ | A | B | C", "",
         ),
         # Zero at maximum material (ISO 2692).
         (

@@ -36,6 +36,7 @@ CHARACTERISTICS = {
 """Entity of AP242 and characteristic of ISO 1101."""
 
 MODIFIERS = {
+    "COMMON_ZONE": "CZ",
     "MAXIMUM_MATERIAL_REQUIREMENT": "Ⓜ",
     "LEAST_MATERIAL_REQUIREMENT": "Ⓛ",
     "RECIPROCITY_REQUIREMENT": "Ⓡ",
