@@ -56,6 +56,10 @@ class IsolatedJob:
                 stdout=subprocess.DEVNULL,
                 stderr=trouble,
                 env={
+                    # BLAS's threads wait for one another by spinning, and our matrices are too
+                    # small for it to pay. Two cores with a load of nine: 40 s with one thread,
+                    # more than 250 s with two.
+                    "OPENBLAS_NUM_THREADS": "1",
                     **os.environ,
                     "PYTHONPATH": os.pathsep.join(p for p in sys.path if p),
                     _FOLDER: str(folder),
