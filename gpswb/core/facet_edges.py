@@ -37,6 +37,16 @@ def edge_lengths(mesh: Mesh, edges: IntArray | slice = slice(None)) -> FloatArra
     return lengths
 
 
+def side_lengths(mesh: Mesh) -> FloatArray:
+    """(m, 3) length of each side of each facet, from corner k to the next, mm."""
+    lengths = np.empty((len(mesh.triangles), 3))
+    for part in blocks(len(lengths)):
+        corner = mesh.columns.take(mesh.triangles[part].T, axis=1)
+        side = corner[:, [1, 2, 0]] - corner
+        lengths[part] = np.sqrt(dot(side, side)).T
+    return lengths
+
+
 def heights_across(mesh: Mesh, normals: FloatArray, part: slice) -> FloatArray:
     """How far the two facets of an edge stand off each other's planes, block by block.
 

@@ -16,6 +16,7 @@ from gpswb.core.quadric_moments import quadric_moments
 from gpswb.core.region_samples import confined_normals
 from gpswb.core.slippage import facet_samples, slippage_moments
 from gpswb.core.slippage_rule import MergeLimits, MergeState, SlippageRule
+from gpswb.core.submesh import WORTHWHILE, submesh
 from gpswb.core.tolerances import Tolerances
 
 _PASSES = 2  # the second pass works on borders that the first has cleaned
@@ -28,14 +29,27 @@ def refine_regions(
 
     Args:
         mesh: the mesh.
-        initial: (m,) int initial regions; -1 for degenerate facets.
+        initial: (m,) int initial regions; -1 for facets left out, the degenerate ones among them.
         crease: (e,) bool feature edges.
         sigma: noise of the vertices, mm.
         tolerances: thresholds.
 
     Returns:
-        (m,) int64 refined regions (numbers with gaps); -1 for degenerate facets.
+        (m,) int64 refined regions (numbers with gaps); -1 for facets left out.
     """
+    facets = np.flatnonzero(initial >= 0)
+    if len(facets) < WORTHWHILE * len(initial):
+        part, crease = submesh(mesh, facets, crease)
+        region = np.full(len(initial), -1, dtype=np.int64)
+        region[facets] = _refined(part, initial[facets], crease, sigma, tolerances)
+        return region
+    return _refined(mesh, initial, crease, sigma, tolerances)
+
+
+def _refined(
+    mesh: Mesh, initial: IntArray, crease: BoolArray, sigma: float, tolerances: Tolerances
+) -> IntArray:
+    """What `refine_regions` returns, on a mesh most of which has regions."""
     region = initial.copy()
     for last in range(_PASSES):
         # Freeform pieces merge last of all: until borders are clean, any region may seem to be one.

@@ -14,6 +14,7 @@ from gpswb.core.facet_geometry import dot
 from gpswb.core.mesh import BoolArray, FloatArray, IntArray, Mesh
 from gpswb.core.normals import wedge_normals
 from gpswb.core.reference import spread
+from gpswb.core.submesh import WORTHWHILE, submesh
 from gpswb.core.wedges import find_wedges
 
 _SINGULAR = 1.5  # turns to a neighbour that a normal may be off before it is not believed
@@ -64,9 +65,15 @@ def confined_normals(mesh: Mesh, region: IntArray, crease: BoolArray) -> FloatAr
 
     Args:
         mesh: the mesh.
-        region: (m,) int region of each facet.
+        region: (m,) int region of each facet, -1 for facets of none, which may have any normals.
         crease: (e,) bool feature edges, aligned with ``mesh.facet_pairs``.
     """
+    facets = np.flatnonzero(region >= 0)
+    if len(facets) < WORTHWHILE * len(region):
+        alone, crease = submesh(mesh, facets, crease)
+        all_normals = np.zeros((len(region), 3, 3))
+        all_normals[facets] = confined_normals(alone, region[facets], crease)
+        return all_normals
     first, second = region[mesh.facet_pairs.T]
     barrier = crease | (first != second)
     wedges = find_wedges(mesh, barrier)

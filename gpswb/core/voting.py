@@ -48,9 +48,10 @@ def vote(
     n = len(types)
     current = types.copy()
     votes_cast = types != SHARP_EDGE
-    pairs = pairs[votes_cast[pairs].all(axis=1)]
-    ends = np.concatenate([pairs, pairs[:, ::-1]]).T
-    graph = coo_matrix((np.ones(len(ends[0])), (ends[0], ends[1])), shape=(n, n)).tocsr()
+    if not votes_cast.all():
+        pairs = pairs[votes_cast[pairs].all(axis=1)]
+    one_way = coo_matrix((np.ones(len(pairs), np.int16), tuple(pairs.T)), shape=(n, n)).tocsr()
+    graph = (one_way + one_way.T).tocsr()
     free = votes_cast if fixed is None else votes_cast & ~fixed
     sets = _independent_sets(pairs, free) if in_place else [np.flatnonzero(free)]
     similarity = 1.0 - shape_type_differences()

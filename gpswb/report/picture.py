@@ -52,7 +52,7 @@ def whole_part(part: Labelled, wrong_faces: IntArray) -> Image:
 
 def close_up(part: Labelled, face: int) -> Image:
     """(h, 3 w, 3) picture of one face, outlined, with its surroundings."""
-    own = part.mesh.corners[part.face == face].reshape(-1, 3)
+    own = part.mesh.corners_of(np.flatnonzero(part.face == face)).reshape(-1, 3)
     low, high = own.min(axis=0), own.max(axis=0)
     radius = max(0.7 * float(np.linalg.norm(high - low)), 0.01 * part.mesh.diagonal)
     return _triptych(part, np.array([face]), Focus((low + high) / 2, radius))

@@ -71,7 +71,7 @@ def nominal_samples(solid: Solid) -> Nominal:
     u, v = np.random.default_rng(_SEED).uniform(size=(2, len(facet)))
     over = u + v > 1
     u, v = np.where(over, 1 - u, u)[:, None], np.where(over, 1 - v, v)[:, None]
-    a, b, c = np.moveaxis(mesh.corners[facet], 1, 0)
+    a, b, c = np.moveaxis(mesh.corners_of(facet), 1, 0)
     points = a + u * (b - a) + v * (c - a)
     return Nominal(points, mesh.facet_normals[facet], face[facet], solid.facemap, mesh.diagonal)
 

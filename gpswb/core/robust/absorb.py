@@ -107,7 +107,7 @@ def _host(mesh: Mesh, graph: FacetGraph, label: IntArray, facets: IntArray) -> t
     neighbour = graph.neighbour[facets]
     other = np.where(neighbour >= 0, label[np.maximum(neighbour, 0)], -1)
     border = other != own
-    corners = mesh.corners[facets]
+    corners = mesh.corners_of(facets)
     length = np.linalg.norm(corners[:, [1, 2, 0]] - corners, axis=2)
     turn = np.abs(graph.dihedral[facets])
     # A facet that is folded over lies in the region beside it all the same.
@@ -124,7 +124,7 @@ def _host(mesh: Mesh, graph: FacetGraph, label: IntArray, facets: IntArray) -> t
 
 def _near(mesh: Mesh, host: Grown, facets: IntArray) -> bool:
     """Whether facets lie near the host's surface, for their size."""
-    points = mesh.corners[facets].reshape(-1, 3)
+    points = mesh.corners_of(facets).reshape(-1, 3)
     d, _ = distance(host.kind, host.surface[None], points[None])
     extent = float(np.linalg.norm(np.ptp(points, axis=0)))
     return float(np.abs(d).max()) <= OFF * extent

@@ -110,7 +110,7 @@ def drifts(mesh: Mesh, graph: FacetGraph, grown: Grown, tolerance: float) -> boo
     outside = neighbour[border]
     if not len(outside):
         return False
-    d, _ = distance(grown.kind, grown.surface[None], mesh.corners[outside].reshape(1, -1, 3))
+    d, _ = distance(grown.kind, grown.surface[None], mesh.corners_of(outside).reshape(1, -1, 3))
     far = np.abs(d).reshape(-1, 3).max(axis=1)
     chord, _ = distance(grown.kind, grown.surface[None], mesh.centroids[grown.facets][None])
     slow = (far > tolerance) & (far < max(DRIFT * tolerance, float(np.median(np.abs(chord)))))

@@ -5,7 +5,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from gpswb.core.mesh import BoolArray, FloatArray, IntArray, Mesh
+from gpswb.core.facet_edges import side_lengths
+from gpswb.core.mesh import BoolArray, IntArray, Mesh
 from gpswb.core.robust.evidence import is_exact
 from gpswb.core.robust.growth import Grown
 from gpswb.core.robust.strips import few_polygons
@@ -37,7 +38,7 @@ def dissolve(
         unexplained[g.facets] = False
     # A plane of few facets proves nothing either, but it ends where it ends.
     unexplained &= ~few_polygons(graph, polygon, unexplained)
-    length = _edge_lengths(mesh)
+    length = side_lengths(mesh)
     keep = [True] * len(found)
     changed = True
     while changed:
@@ -57,9 +58,3 @@ def dissolve(
                 unexplained[g.facets] = True
                 changed = True
     return [g for g, kept in zip(found, keep, strict=True) if kept]
-
-
-def _edge_lengths(mesh: Mesh) -> FloatArray:
-    c = mesh.corners
-    length: FloatArray = np.linalg.norm(c[:, [1, 2, 0]] - c, axis=2)
-    return length

@@ -48,7 +48,7 @@ def on_surface(
         tolerance: largest distance of a corner, mm.
         side: +1 or -1, which side of the surface is outside; 0 for either.
     """
-    corners = mesh.corners[facets]
+    corners = mesh.corners_of(facets)
     d, _ = distance(kind, surface[None], corners.reshape(1, -1, 3))
     near = np.abs(d).reshape(-1, 3).max(axis=1) <= tolerance
     centroids = mesh.centroids[facets]
@@ -135,7 +135,7 @@ def fit_facets(mesh: Mesh, kind: Kind, facets: IntArray) -> FloatArray:
 
 def residual(mesh: Mesh, grown: Grown) -> float:
     """Largest distance of a region's vertices from its surface, mm."""
-    corners = mesh.corners[grown.facets].reshape(1, -1, 3)
+    corners = mesh.corners_of(grown.facets).reshape(1, -1, 3)
     return float(np.abs(distance(grown.kind, grown.surface[None], corners)[0]).max(initial=0.0))
 
 

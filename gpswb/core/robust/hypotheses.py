@@ -109,7 +109,7 @@ def _seed(
 ) -> int | None:
     """The largest of some facets (-1 for none) that has its corners on a surface."""
     facets = facets[facets >= 0]
-    d, _ = distance(kind, surface[None], mesh.corners[facets].reshape(1, -1, 3))
+    d, _ = distance(kind, surface[None], mesh.corners_of(facets).reshape(1, -1, 3))
     on = facets[(np.abs(d).reshape(-1, 3) <= tolerance).all(axis=1)]
     return int(on[np.argmax(mesh.areas[on])]) if len(on) else None
 
