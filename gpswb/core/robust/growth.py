@@ -22,6 +22,9 @@ LARGEST_TURN = 1.25
 REFITS = 4
 """Rounds of fitting and growing; exact data settle in two."""
 
+MOST_RINGS = 16
+"""Rings of facets around a region that are tested together, at most."""
+
 SAMPLE = 1500
 """Vertices used to fit a grown region: more don't make exact data more exact."""
 
@@ -49,21 +52,24 @@ def on_surface(
         side: +1 or -1, which side of the surface is outside; 0 for either.
     """
     corners = mesh.corners_of(facets)
-    d, _ = distance(kind, surface[None], corners.reshape(1, -1, 3))
-    near = np.abs(d).reshape(-1, 3).max(axis=1) <= tolerance
-    centroids = mesh.centroids[facets]
-    _, normal = distance(kind, surface[None], centroids[None])
-    cosine = np.einsum("ik,ik->i", normal[0], mesh.facet_normals[facets])
+    # The corners for their distance and the centroid for the normal there.
+    points = np.concatenate([corners, corners.mean(axis=1, keepdims=True)], axis=1)
+    d, normal = distance(kind, surface[None], points.reshape(1, -1, 3))
+    near = np.abs(d).reshape(-1, 4)[:, :3].max(axis=1) <= tolerance
+    own = mesh.facet_normals[facets]
+    cosine = np.einsum("ik,ik->i", normal[0].reshape(-1, 4, 3)[:, 3], own)
     cosine = cosine * side if side else np.abs(cosine)
-    edges = np.linalg.norm(corners - np.roll(corners, 1, axis=1), axis=2)
+    sides = corners - corners[:, [2, 0, 1]]
+    edges = np.sqrt(np.einsum("fkx,fkx->fk", sides, sides))
     area = np.maximum(mesh.areas[facets], 1e-300)
-    bend = edges.prod(axis=1) / (4.0 * area) * largest_curvature(kind, surface, centroids)
+    bend = edges.prod(axis=1) / (4.0 * area) * largest_curvature(kind, surface, points[:, 3])
     altitude = 2.0 * area / np.maximum(edges.max(axis=1), 1e-300)
     # A sliver's normal is only known to tolerance / altitude.
     slack = 0.02 + 2.0 * tolerance / np.maximum(altitude, 1e-300)
-    sine = np.linalg.norm(np.cross(normal[0], mesh.facet_normals[facets]), axis=1)
-    turn = np.arctan2(sine, cosine)
-    lies: BoolArray = near & (turn <= np.minimum(TURN_SHARE * bend + slack, LARGEST_TURN))
+    # The facet turns by no more than an angle that is far from 0, so that cosines tell it exactly.
+    lies: BoolArray = near & (cosine >= np.cos(np.minimum(TURN_SHARE * bend + slack, LARGEST_TURN)))
+    # A facet without area turns from nothing.
+    lies |= near & (mesh.areas[facets] <= 0.0)
     return lies
 
 
@@ -191,16 +197,47 @@ def flood(
 ) -> IntArray:
     """(k,) facets connected to the seed that lie on a surface; arguments as in ``grow``."""
     _, normal = distance(kind, surface[None], mesh.centroids[seed][None])
-    side = np.sign(np.einsum("ik,ik->", normal[0], mesh.facet_normals[seed]))
-    seen = ~allowed
-    front = seed[on_surface(mesh, kind, surface, seed, tolerance, float(side))]
-    seen[seed] = True
+    side = float(np.sign(np.einsum("ik,ik->", normal[0], mesh.facet_normals[seed])))
+    front = seed[on_surface(mesh, kind, surface, seed, tolerance, side)]
+    untested, lies = allowed.copy(), np.zeros(len(allowed), dtype=bool)
+    untested[seed] = False
     taken = [front]
+    rings = 1
     while len(front):
-        step = graph.neighbour[front].ravel()
-        step = np.unique(step[step >= 0])
-        step = step[~seen[step]]
-        seen[step] = True
-        front = step[on_surface(mesh, kind, surface, step, tolerance, float(side))]
-        taken.append(front)
+        # Several rings are tested together: numpy takes as long for a few facets as for hundreds.
+        ahead = _rings_ahead(graph, front, untested, lies, rings)
+        lies[ahead] = on_surface(mesh, kind, surface, ahead, tolerance, side)
+        before = len(taken)
+        for _ in range(rings):
+            front = _step(graph, front, lies)
+            lies[front] = False
+            taken.append(front)
+            if not len(front):
+                break
+        # Where most was tested in vain, the border is near.
+        fruitful = 2 * sum(map(len, taken[before:])) > len(ahead)
+        rings = min(2 * rings, MOST_RINGS) if fruitful else 1
     return np.concatenate(taken)
+
+
+def _rings_ahead(
+    graph: FacetGraph, front: IntArray, untested: BoolArray, lies: BoolArray, rings: int
+) -> IntArray:
+    """Untested facets within so many steps over facets that may lie on the surface, or are known
+    to; they are no longer untested afterwards."""
+    found = []
+    for _ in range(rings):
+        known = _step(graph, front, lies)
+        front = _step(graph, front, untested)
+        untested[front] = False
+        found.append(front)
+        front = np.concatenate([front, known])
+        if not len(front):
+            break
+    return np.concatenate(found)
+
+
+def _step(graph: FacetGraph, front: IntArray, among: BoolArray) -> IntArray:
+    """The facets next to a front, of those that are marked, each once and ascending."""
+    step = graph.neighbour[front].ravel()
+    return np.unique(step[(step >= 0) & among[step]])
