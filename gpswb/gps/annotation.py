@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 
 from gpswb.errors import InputError
 from gpswb.gps.datum_system import Datum, DatumSystem, datum_system, needed_degrees, parse_datums
@@ -27,7 +28,6 @@ class Annotation:
         system: the user's datum system, else the best suggestion; None for a part without features.
         needed: degrees of freedom that any datum system of the part can lock.
         suggestions: the best datum system and the runner-up.
-        permitted: by feature id, the 15 characteristics of ISO 1101 with status and reason.
         specified: the user's own specifications.
     """
 
@@ -37,8 +37,12 @@ class Annotation:
     system: DatumSystem | None
     needed: int
     suggestions: tuple[Suggestion, ...]
-    permitted: Mapping[int, tuple[Specification, ...]]
     specified: tuple[Specified, ...]
+
+    @cached_property
+    def permitted(self) -> Mapping[int, tuple[Specification, ...]]:
+        """By feature id, the 15 characteristics of ISO 1101 with status and reason."""
+        return {f.id: permitted_specifications(f, self.system) for f in self.table.features}
 
 
 def annotate(
@@ -82,7 +86,6 @@ def annotate(
         system=system,
         needed=_needed(system, table),
         suggestions=suggestions,
-        permitted={f.id: permitted_specifications(f, system) for f in table.features},
         specified=specify(rows, table, letters),
     )
 

@@ -311,7 +311,16 @@ def effective_result(obj: Any) -> tuple[StoredResult, tuple[str, ...]]:
     Raises:
         InputError: there is none yet, or it is damaged.
     """
-    return apply_overrides(stored_result(obj), from_json(obj.Overrides))
+    stored = stored_result(obj)
+    if _last_effective and _last_effective[0][:2] == (stored, obj.Overrides):
+        return _last_effective[0][2]
+    found = apply_overrides(stored, from_json(obj.Overrides))
+    _last_effective[:] = [(stored, obj.Overrides, found)]
+    return found
+
+
+_last_effective: list[tuple[StoredResult, str, tuple[StoredResult, tuple[str, ...]]]] = []
+"""What was found last: each part of the window asks for it, and a merged region is fitted anew."""
 
 
 def stored_datums(obj: Any) -> tuple[tuple[str, str], ...]:
