@@ -66,16 +66,18 @@ class GeometricalTolerance:
 
     @property
     def cells(self) -> tuple[str, ...]:
-        """The compartments of the tolerance indicator: symbol, value with modifiers, datums."""
+        """The tolerance indicator: count of a pattern, symbol, value with modifiers, datums."""
         value = self.prefix + ("?" if self.value is None else f"{self.value:g}")
         datums = (datum.notation for datum in self.datums)
-        return (RULES[self.characteristic].symbol, " ".join([value, *self.modifiers]), *datums)
+        symbol = RULES[self.characteristic].symbol
+        return (*_count(self.feature), symbol, " ".join([value, *self.modifiers]), *datums)
 
     @property
     def frame(self) -> str:
         """The tolerance indicator on one line: ``⌖ Ø0.1 Ⓜ | A | B``."""
-        symbol, *cells = self.cells
-        return f"{symbol} {' | '.join(cells)}"
+        *count, symbol, value = self.cells[: -len(self.datums) or None]
+        cells = [value, *(datum.notation for datum in self.datums)]
+        return " ".join([*count, symbol, " | ".join(cells)])
 
 
 @dataclass(frozen=True, eq=False)
@@ -99,13 +101,12 @@ class SizeTolerance:
 
     @property
     def frame(self) -> str:
-        """As ``Ø10 +0.02/-0.1`` or ``Ø10 H7``."""
+        """As ``Ø10 +0.02/-0.1``, ``Ø10 H7``, or for a pattern ``4× Ø10 H7``."""
         size = self.feature.size
         assert size is not None
         sign = {"diameter": "Ø", "spherical diameter": "SØ"}.get(size.kind, "")
-        if self.open:
-            return f"{sign}{size.value:.6g} ?"
-        return f"{sign}{size.value:.6g} " + (self.fit or f"{self.upper:+g}/{self.lower:+g}")
+        said = "?" if self.open else self.fit or f"{self.upper:+g}/{self.lower:+g}"
+        return " ".join([*_count(self.feature), f"{sign}{size.value:.6g}", said])
 
 
 Specified = GeometricalTolerance | SizeTolerance
@@ -120,6 +121,11 @@ def specify(
         InputError: a row names what isn't there, or lacks what its characteristic needs.
     """
     return tuple(_specify(row, table, letters) for row in rows)
+
+
+def _count(feature: GpsFeature) -> tuple[str, ...]:
+    """``4×`` of a pattern of four (ISO 5458), nothing of any other feature."""
+    return (f"{int(feature.intrinsic['count'])}×",) if "count" in feature.intrinsic else ()
 
 
 def _specify(row: SpecificationRow, table: FeatureTable, letters: Letters) -> Specified:

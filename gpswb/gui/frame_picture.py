@@ -23,13 +23,14 @@ def frame_picture(cells: Sequence[str], scale: float = 1.0, ink: str = INK) -> A
     """A QImage of a frame: compartments for a specification or a datum letter, plain for a size.
 
     Args:
-        cells: first the characteristic's symbol, if it has one.
+        cells: first the count of a pattern (``4×``, outside the frame), then the characteristic's
+            symbol, where there are such.
         scale: pixels of the screen a pixel at 96 dots an inch.
     """
     font = _font(HEIGHT * 0.58)
     metrics = QtGui.QFontMetricsF(font)
     widths = [_width(cell, metrics) for cell in cells]
-    boxed = cells[0] in SYMBOLS or cells[0].isalpha()
+    framed = any(cell in SYMBOLS for cell in cells) or cells[0].isalpha()
     size = (ceil(sum(widths)) + 2, HEIGHT + 2)
     image = QtGui.QImage(int(size[0] * scale), int(size[1] * scale), QtGui.QImage.Format_RGBA8888)
     image.fill(QtGui.QColor(PAPER))
@@ -46,7 +47,7 @@ def frame_picture(cells: Sequence[str], scale: float = 1.0, ink: str = INK) -> A
             draw_symbol(painter, cell, box, ink)
         else:
             _text(painter, cell, box, metrics)
-        if boxed:
+        if framed and not cell.endswith("×"):
             painter.drawRect(box)
         x += width
     painter.end()

@@ -36,8 +36,9 @@ def one(table, **row):
         (
             {"feature": "Hole pattern 1", "characteristic": "position", "value": 0.2,
              "datums": "A|B|C", "modifiers": ("Ⓜ",)},
-            "⌖ Ø0.2 CZ Ⓜ | A | B | C", "",
+            "4× ⌖ Ø0.2 CZ Ⓜ | A | B | C", "",
         ),
+        ({"feature": "Hole pattern 1", "characteristic": "size", "fit": "H13"}, "4× Ø8 H13", ""),
         # Zero at maximum material (ISO 2692).
         (
             {"feature": "Hole 1", "characteristic": "perpendicularity", "value": 0.0,
