@@ -113,7 +113,8 @@ def _feature(feature: GpsFeature, letter: str) -> Sequence[object]:
 
 
 def _numbers(values: Iterable[float]) -> str:
-    return " ".join(f"{value:.9g}" for value in values)
+    # Rounding leaves 1e-17 and -0, which say nothing.
+    return " ".join(f"{round(value, 12) + 0.0:.9g}" for value in values)
 
 
 def _write(path: Path, header: Sequence[str], rows: Iterable[Sequence[object]]) -> None:

@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """`gpswb annotate` as a user meets it: outputs, and wrong input in one line."""
 
+import csv
 import json
 import re
 from pathlib import Path
+from xml.etree import ElementTree as ET
 
 import pytest
 from conftest import Command
@@ -12,7 +14,7 @@ from gpswb.io.ap242.part21 import Part21
 from gpswb.io.ap242.strings import encode
 from gpswb.io.ap242.write import read_text
 
-EVIL = "<img src=x onerror=alert(1)> 'q' \\X\\ \"d\" ä⌀&amp;"
+EVIL = "=1+1 <img src=x onerror=alert(1)> 'q' \\X\\ \"d\" ä⌀&amp;"
 
 
 @pytest.fixture(scope="module")
@@ -22,7 +24,7 @@ def evil_step(block_step: Path, tmp_path_factory: pytest.TempPathFactory) -> Pat
     names = f"{encode(EVIL)},{encode(EVIL)}"
     text, n = re.subn(r"(PRODUCT\()'[^']*',\s*'[^']*'", lambda m: m[1] + names, text)
     assert n == 1
-    path = tmp_path_factory.mktemp("evil") / "evil<b>'&.step"
+    path = tmp_path_factory.mktemp("evil") / "=1+1 evil<b>'&.step"
     path.write_text(text, "latin-1")
     return path
 
@@ -64,6 +66,12 @@ def test_all_outputs_of_a_part_with_an_evil_name(
     kept = [line for line in original.splitlines() if "FILE_SCHEMA" not in line]
     assert [line for line in written.splitlines() if line in set(kept)][: len(kept)] == kept
     assert "<img" not in (out / "report.html").read_text("utf-8")
+    for table in ("features.csv", "specifications.csv"):  # no cell is a formula
+        with (out / table).open(newline="", encoding="utf-8") as file:
+            cells = {cell for row in csv.reader(file) for cell in row}
+        assert [cell for cell in cells if cell[:1] in ("=", "+", "@", "\t")] == []
+        assert {cell for cell in cells if cell[:1] == "-"} <= {"-1 0 0"}
+    assert ET.parse(out / "part.qif").getroot().tag.endswith("}QIFDocument")
     coloured = Part21((out / "coloured.step").read_text("utf-8"))  # what OCCT writes
     names = {str(coloured[n]["ADVANCED_FACE"][0]) for n in coloured.of("ADVANCED_FACE")}
     assert f"{hole['faces'][0]} cylindrical Hole 1" in names
