@@ -39,6 +39,10 @@ SLIP = 0.02
 """Mean squared sine between a motion and the denoised normals up to which a profile is sought: they
 are off by up to 0.1 rad, the more so where a region is narrow."""
 
+AGREEMENT = 0.9
+"""Mean cosine between facets and surface, at least: a profile that runs to and fro through the
+noise explains all positions, but no normals."""
+
 LEAD = 30.0
 """Sigma that a lead is long at least: where it is shorter, points fill it, and any profile fits."""
 
@@ -79,8 +83,9 @@ def fit_swept(
     if best is None:
         return None
     _, normal = best.distance(mesh.centroids[inner])
-    toward = np.einsum("nk,nk,n->", normal, noisy.normals[inner], mesh.areas[inner])
-    return replace(best, side=float(np.sign(toward)))
+    cosine = np.einsum("nk,nk->n", normal, noisy.normals[inner])
+    agreement = float(np.average(cosine, weights=mesh.areas[inner]))
+    return None if abs(agreement) < AGREEMENT else replace(best, side=float(np.sign(agreement)))
 
 
 def _inner(noisy: NoisyMesh, facets: IntArray) -> IntArray:
