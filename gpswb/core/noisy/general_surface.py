@@ -5,13 +5,15 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+import numpy as np
+
 from gpswb.core.invariance import InvarianceClass
 from gpswb.core.mesh import IntArray
 from gpswb.core.noisy.freeform import Freeform, fit_freeform
+from gpswb.core.noisy.models import Surface
 from gpswb.core.noisy.noisy_mesh import NoisyMesh
-from gpswb.core.noisy.swept import MOTIONS, Swept
-from gpswb.core.noisy.swept_fit import SLIP, fit_swept
-from gpswb.core.reference import Reference
+from gpswb.core.noisy.swept import Swept
+from gpswb.core.noisy.swept_fit import fit_swept, shown_motions
 from gpswb.core.slippage import SlippageMoments, slippable_motions
 
 PRIOR: dict[InvarianceClass, float] = {
@@ -23,12 +25,19 @@ PRIOR: dict[InvarianceClass, float] = {
 """As those of simple surfaces. An axis far away is as good as a translation, and a long lead as
 good as a rotation: the simpler motion is meant where both describe a region."""
 
+SLIP = 0.02
+"""Mean squared sine between a motion and the denoised normals up to which a profile is sought: they
+are off by up to 0.1 rad, the more so where a region is narrow."""
+
+CLEARLY = 0.7
+"""Factor by which normals follow a freer motion better where that is the one."""
+
 LEAST = 30
 """Facets of such a region at least: fewer lie on some swept surface always."""
 
 
 def general_surface(
-    noisy: NoisyMesh, facets: IntArray, moments: SlippageMoments, starts: Sequence[Reference]
+    noisy: NoisyMesh, facets: IntArray, moments: SlippageMoments, parts: Sequence[Surface | None]
 ) -> Swept | Freeform | None:
     """The likeliest swept or freeform surface of some facets."""
     if len(facets) < LEAST:
@@ -36,10 +45,15 @@ def general_surface(
     best: Swept | Freeform | None = fit_freeform(noisy, facets)
     if float(slippable_motions(moments)[0][0, 0]) > SLIP:
         return best
-    for name in MOTIONS:
-        if name == "helical" and isinstance(best, Swept) and best.explains:
-            break
-        swept = fit_swept(noisy, facets, name, starts)
+    followed = SLIP
+    for name, (shown, slip) in shown_motions(noisy, facets).items():
+        if slip > followed:
+            continue
+        followed = CLEARLY * slip
+        most = np.inf if best is None else priced(best) - PRIOR[name]
+        own = [p for p in parts if isinstance(p, Swept) and p.invariance_class == name]
+        starts = [shown, *(part.reference for part in own)]
+        swept = fit_swept(noisy, facets, name, starts, most)
         if swept is not None and (best is None or priced(swept) < priced(best)):
             best = swept
     return best

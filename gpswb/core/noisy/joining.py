@@ -44,7 +44,7 @@ class _Piece:
         """Number of planes that it consists of."""
         if self.parts:
             return sum(part.planes for part in self.parts)
-        return int(isinstance(self.surface, Model) and self.surface.kind == "plane")
+        return int(_flat(self))
 
 
 def join_regions(
@@ -69,11 +69,8 @@ def join_regions(
     queue: list[tuple[float, int, int, int, _Piece]] = []
 
     def push(a: int, b: int) -> None:
-        first, second = alive[a], alive[b]
-        if first.surface is not None and second.surface is not None:
-            surfaces, regions = (first.surface, second.surface), (first.facets, second.facets)
-            if meet_at_crease(noisy, surfaces, regions, _border(noisy, home, a, b)):
-                return
+        if _creased(noisy, alive[a], alive[b], _border(noisy, home, a, b)):
+            return
         union = _joined(noisy, alive[a], alive[b])
         if union is not None:
             gain = alive[a].length + alive[b].length - union.length
@@ -98,9 +95,25 @@ def join_regions(
             near[c] = (near[c] - {a, b}) | {count}
             push(c, count)
         count += 1
+    return _taken(list(alive.values()), label)
+
+
+def _flat(piece: _Piece) -> bool:
+    return isinstance(piece.surface, Model) and piece.surface.kind == "plane"
+
+
+def _creased(noisy: NoisyMesh, a: _Piece, b: _Piece, border: IntArray) -> bool:
+    """Whether two pieces meet at a crease."""
+    if a.surface is None or b.surface is None:
+        return False
+    return meet_at_crease(noisy, (a.surface, b.surface), (a.facets, b.facets), border)
+
+
+def _taken(pieces: Sequence[_Piece], label: IntArray) -> tuple[list[Surface], IntArray]:
+    """Surfaces and labels of the pieces, or of their parts where those are cheaper."""
     out = np.full_like(label, -1)
     surfaces: list[Surface] = []
-    for piece in alive.values():
+    for piece in pieces:
         for part in _divided(piece)[1]:
             if part.surface is not None:
                 out[part.facets] = len(surfaces)
@@ -171,14 +184,13 @@ def _neighbours(noisy: NoisyMesh, home: IntArray) -> dict[int, set[int]]:
 
 def _joined(noisy: NoisyMesh, a: _Piece, b: _Piece) -> _Piece | None:
     """The union of two pieces on one swept or freeform surface."""
-    if all(isinstance(p.surface, Model) and p.surface.kind == "plane" for p in (a, b)):
+    if _flat(a) and _flat(b):
         return None
     facets = np.concatenate([a.facets, b.facets])
     moments = SlippageMoments(
         a.moments.motion + b.moments.motion, a.moments.metric + b.moments.metric
     )
-    starts = [p.surface.reference for p in (a, b) if isinstance(p.surface, Swept)]
-    one = general_surface(noisy, facets, moments, starts)
+    one = general_surface(noisy, facets, moments, (a.surface, b.surface))
     if one is None:
         return None
     length = one.cost + REGION + FLAT * (a.planes + b.planes)

@@ -14,30 +14,29 @@ from gpswb.core.mesh import FloatArray, IntArray
 from gpswb.core.motion_chart import MotionChart
 from gpswb.core.noisy.noisy_mesh import NoisyMesh
 from gpswb.core.noisy.profile_length import profile_length, quotient_gradient
-from gpswb.core.noisy.swept import OUTSIDE, Swept, profile_coordinates
+from gpswb.core.noisy.swept import MOTIONS, OUTSIDE, Swept, profile_coordinates
 from gpswb.core.recognition import slip_of
 from gpswb.core.reference import Reference, estimate_references, spread
 from gpswb.core.thickness import quotient_jacobian
 
-INTERVALS = (1, 2, 3, 5, 8, 12, 18, 27, 40)
+INTERVALS = (1, 2, 4, 6, 9, 14, 22, 34)
 """Intervals of the spline that are tried. They are of one length: a profile with short rounds
 between long straights takes many, and is cheaper as planes and cylinders."""
 
 PATIENCE = 2
 """Refinements of the spline in a row that may be for nothing."""
 
-SAMPLE = 600
-"""Vertices that a profile is fitted to: fifteen for each interval at the finest."""
+FEW, HOPELESS = 5, 4.0
+"""Intervals from which a mean squared distance of so many sigma² says that the motion is wrong."""
 
-STEPS = 8
+SAMPLE = 600
+"""Vertices that a profile is fitted to: seventeen for each interval at the finest."""
+
+STEPS = 4
 """Corrections of motion and length along the profile for each number of intervals, at most."""
 
 SETTLED = 0.002
 """Share of chi-square that a correction saves at least, or it was the last."""
-
-SLIP = 0.02
-"""Mean squared sine between a motion and the denoised normals up to which a profile is sought: they
-are off by up to 0.1 rad, the more so where a region is narrow."""
 
 AGREEMENT = 0.9
 """Mean cosine between facets and surface, at least: a profile that runs to and fro through the
@@ -50,11 +49,31 @@ NEWTON = 3
 """Steps to the nearest point of the profile."""
 
 
+def shown_motions(
+    noisy: NoisyMesh, facets: IntArray
+) -> dict[InvarianceClass, tuple[Reference, float]]:
+    """The motion of each class that denoised normals show, and the mean squared sine that they are
+    off it.
+
+    Args:
+        noisy: the mesh and its noise.
+        facets: (k,) connected facets.
+    """
+    mesh = noisy.mesh
+    inner = _inner(noisy, facets)
+    points, normals, areas = mesh.centroids[inner], noisy.normals[inner], mesh.areas[inner]
+    shown = estimate_references(points, normals, areas, tuple(MOTIONS))
+    return {
+        name: (shown[name], slip_of(points, normals, areas, name, shown[name])) for name in MOTIONS
+    }
+
+
 def fit_swept(
     noisy: NoisyMesh,
     facets: IntArray,
     name: InvarianceClass,
-    starts: Sequence[Reference] = (),
+    starts: Sequence[Reference],
+    most: float = np.inf,
 ) -> Swept | None:
     """The likeliest surface of a motion through some facets.
 
@@ -62,29 +81,24 @@ def fit_swept(
         noisy: the mesh and its noise.
         facets: (k,) connected facets.
         name: the class.
-        starts: motions that may be near, besides the one that the denoised normals show.
+        starts: motions that may be near.
+        most: cost above which a surface is of no interest.
 
     Returns:
         None where the facets have no such motion at all.
     """
-    mesh = noisy.mesh
-    inner = _inner(noisy, facets)
-    shown = estimate_references(
-        mesh.centroids[inner], noisy.normals[inner], mesh.areas[inner], (name,)
-    )[name]
     best: Swept | None = None
-    for start in (shown, *starts):
-        usable = np.isfinite(start.lead) and (name != "helical" or start.lead != 0.0)
-        slip = slip_of(mesh.centroids[inner], noisy.normals[inner], mesh.areas[inner], name, start)
-        if usable and slip <= SLIP:
-            found = _from(noisy, facets, name, start)
+    for start in starts:
+        if np.isfinite(start.lead) and (name != "helical" or start.lead != 0.0):
+            found = _from(noisy, facets, name, start, most)
             if found is not None and (best is None or found.cost < best.cost):
                 best = found
     if best is None:
         return None
-    _, normal = best.distance(mesh.centroids[inner])
+    inner = _inner(noisy, facets)
+    _, normal = best.distance(noisy.mesh.centroids[inner])
     cosine = np.einsum("nk,nk->n", normal, noisy.normals[inner])
-    agreement = float(np.average(cosine, weights=mesh.areas[inner]))
+    agreement = float(np.average(cosine, weights=noisy.mesh.areas[inner]))
     return None if abs(agreement) < AGREEMENT else replace(best, side=float(np.sign(agreement)))
 
 
@@ -99,16 +113,19 @@ def _inner(noisy: NoisyMesh, facets: IntArray) -> IntArray:
 
 
 def _from(
-    noisy: NoisyMesh, facets: IntArray, name: InvarianceClass, reference: Reference
+    noisy: NoisyMesh, facets: IntArray, name: InvarianceClass, reference: Reference, most: float
 ) -> Swept | None:
     """The likeliest surface of a motion that is near a given one."""
     vertices, length = profile_length(noisy, facets, name, reference)
     points = noisy.mesh.vertices[vertices]
     some = spread(len(vertices), SAMPLE)
+    # Chi-square is that of the noise at least, but for four standard deviations.
+    least = len(points) - 4.0 * float(np.sqrt(2.0 * len(points)))
     best: Swept | None = None
     idle = 0
     for intervals in INTERVALS:
-        if 3 * (intervals + 3) > len(some):
+        price = (MOTIONS[name] + intervals + 3) * float(np.log(len(points)))
+        if 3 * (intervals + 3) > len(some) or least + price > most:
             break
         found = _fitted(points[some], length[some], name, reference, intervals, noisy.sigma)
         if found is None:
@@ -119,6 +136,8 @@ def _from(
         start = np.interp(length, length[some][order], along[order])
         chi = _total((_heights(points, start, name, reference, curve) / noisy.sigma) ** 2)
         swept = Swept(name, reference, curve, 1.0, chi, len(points))
+        if intervals > FEW and chi > HOPELESS * len(points):
+            break
         idle = 0 if best is None or swept.cost < best.cost else idle + 1
         if idle == 0:
             best = swept
@@ -170,6 +189,8 @@ def _fitted(
         if not np.isfinite(change).all():
             break
         near = np.abs(height) <= OUTSIDE * sigma
+        if int(near.sum()) < 2 * basis.shape[1]:
+            break
         across = basis[near]
         gram = across.T @ across + 1e-9 * len(across) * np.eye(across.shape[1])
         design = change[near] - across @ np.linalg.solve(gram, across.T @ change[near])
