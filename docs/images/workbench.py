@@ -63,6 +63,7 @@ def show():
     picture("annotations")
     for annotation in partition.Group:
         annotation.ViewObject.Visibility = False
+    partition.ViewObject.FacetEdges = True
     partition.ViewObject.Elements = "Facets"
     partition.ViewObject.ColourBy = "shape type"
     settle()

@@ -17,6 +17,8 @@ import signal
 import subprocess
 import sys
 import tempfile
+import threading
+import time
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -31,6 +33,8 @@ _ERRORS: dict[str, type[GpswbError]] = {
 _FOLDER = "GPSWB_JOB_FOLDER"
 """Environment variable of a job's process: where it reads and writes. A job that starts a job keeps
 it in its own process group, so that both end together."""
+_LOOK_S = 1.0
+"""Between two looks whether the caller is still alive."""
 
 
 class IsolatedJob:
@@ -163,8 +167,18 @@ def _python() -> str:
     return shutil.which(version) or shutil.which("python3") or sys.executable
 
 
+def _die_with(caller: int) -> None:
+    """End this process, and what it started, when its caller has died without ending it."""
+    while os.getppid() == caller:
+        time.sleep(_LOOK_S)
+    if os.getpgrp() == os.getpid():
+        os.killpg(0, signal.SIGKILL)
+    os._exit(1)
+
+
 def _serve() -> None:
     folder = Path(os.environ[_FOLDER])
+    threading.Thread(target=_die_with, args=[os.getppid()], daemon=True).start()
     job = json.loads((folder / "job").read_text())
     if job["memory_mb"] is not None:
         limit = int(job["memory_mb"]) * 2**20

@@ -12,10 +12,6 @@ from gpswb.core.mesh import BoolArray, IntArray, Mesh
 from gpswb.gui import compat
 from gpswb.gui.colouring import Colouring
 
-EDGES = 0.01
-"""Facets have dark edges if these are longer than this, of the part's diagonal: in a view that fits
-the part shorter ones are a few pixels long, and would cover the colours."""
-
 
 class FacetScene:
     """The nodes, below ``root``.
@@ -24,9 +20,10 @@ class FacetScene:
         mesh: the mesh, mm.
         colours: those of its facets.
         region: (m,) number of each facet's region, between which there are dark borders.
+        edges: whether facets have dark edges, too; they cover the colours where facets are small.
     """
 
-    def __init__(self, mesh: Mesh, colours: Colouring, region: IntArray) -> None:
+    def __init__(self, mesh: Mesh, colours: Colouring, region: IntArray, edges: bool) -> None:
         self.root = coin.SoSeparator()
         self._faces = coin.SoIndexedFaceSet()
         self._marked = np.zeros(len(mesh.triangles), dtype=bool)
@@ -56,7 +53,7 @@ class FacetScene:
         self.root.addChild(points)
         self.root.addChild(filled)
         self.root.addChild(_borders(mesh, region))
-        if _typical_edge(mesh) > EDGES * mesh.diagonal:
+        if edges:
             self.root.addChild(_edges(self._faces))
 
     def highlight(self, marked: BoolArray) -> None:
@@ -66,12 +63,6 @@ class FacetScene:
         self._marked = marked
         index = np.where(marked, self._selected, self._index)
         self._faces.materialIndex.setValues(0, len(index), index.tolist())
-
-
-def _typical_edge(mesh: Mesh) -> float:
-    """Median of the lengths of a side of each facet, mm."""
-    a, b = mesh.vertices[mesh.triangles[:, 0]], mesh.vertices[mesh.triangles[:, 1]]
-    return float(np.median(np.linalg.norm(b - a, axis=1)))
 
 
 def _edges(faces: Any) -> Any:

@@ -3,6 +3,9 @@
 
 from __future__ import annotations
 
+import os
+import subprocess
+import sys
 import time
 
 import pytest
@@ -65,3 +68,24 @@ def test_a_job_tells_its_progress_and_is_cancelled(tmp_path) -> None:
     (tmp_path / "alive").unlink()
     time.sleep(0.5)
     assert not (tmp_path / "alive").exists()
+
+
+def test_a_job_dies_with_its_caller(tmp_path) -> None:
+    alive = tmp_path / "alive"
+    call = (
+        "import os, pathlib, time\n"
+        "from gpswb.cad.isolate import IsolatedJob\n"
+        f"job = IsolatedJob('sniffing:tell_and_sleep', [{str(alive)!r}])\n"
+        f"while not pathlib.Path({str(alive)!r}).exists():\n"
+        "    time.sleep(0.02)\n"
+        "os._exit(1)\n"
+    )
+    path = os.pathsep.join(p for p in sys.path if p)
+    subprocess.run(
+        [sys.executable, "-c", call], env={**os.environ, "PYTHONPATH": path}, check=False
+    )
+    end = time.monotonic() + 30
+    while alive.exists():
+        assert time.monotonic() < end
+        alive.unlink(missing_ok=True)
+        time.sleep(1.0)

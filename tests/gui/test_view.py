@@ -98,6 +98,9 @@ def test_mesh_with_a_colour_a_facet(block, partition):
         r, g, b = WHEEL[name]
         alike = [p for p in seen if hue_is(p, (r, g, b))]
         assert len(alike) > 50, name
+    partition.ViewObject.FacetEdges = True
+    settle()
+    assert sum(max(p) < 60 for p in pixels("facet_edges")) > sum(max(p) < 60 for p in seen) + 50
     partition.ViewObject.Elements = "Faces"
     settle()
     assert block.ViewObject.Visibility

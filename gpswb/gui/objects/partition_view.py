@@ -25,6 +25,16 @@ from gpswb.gui.selection import chosen_faces
 from gpswb.gui.source_colours import restore_colours, show_colours, watch
 
 FACES, FACETS = "Faces", "Facets"
+_PROPERTIES = (
+    # type, name, editor mode (0 free, 2 hidden), what it is
+    ("App::PropertyEnumeration", "ColourBy", 0, "What the colours show"),
+    ("App::PropertyEnumeration", "Elements", 0, "What has the colours"),
+    ("App::PropertyBool", "FacetEdges", 0, "Whether facets of the shown mesh have dark edges"),
+    ("App::PropertyBool", "HidSource", 2, "Whether the part was hidden to show its mesh"),
+    ("App::PropertyColorList", "UserColours", 2, "The user's own colours, while ours are shown"),
+)
+_CHOICES = {"ColourBy": COLOUR_BY, "Elements": (FACES, FACETS)}
+_SHOWN = ("Visibility", "ColourBy", "Elements", "FacetEdges")
 
 
 class PartitionView(Stateless):
@@ -60,13 +70,16 @@ class PartitionView(Stateless):
 
     def onChanged(self, view: Any, name: str) -> None:
         """Follow the view's own properties."""
-        if name in ("Visibility", "ColourBy", "Elements") and hasattr(view, "UserColours"):
+        if name in ("Visibility", "ColourBy", "Elements", "FacetEdges") and hasattr(
+            view, "UserColours"
+        ):
             self.show(view)
 
     def show(self, view: Any) -> None:
         """Show what the properties say; what is hidden or stale gives the user's colours back."""
         if view.Object.Document.Restoring:
             return
+        _add_properties(view)
         found = _colours_of(view) if view.Visibility else None
         self.found, self.scene = found, None
         self.mesh.removeAllChildren()
@@ -80,7 +93,7 @@ class PartitionView(Stateless):
         if view.Elements == FACETS or is_measurement(view.Object.Source):
             restore_colours(view)
             partition = effective_result(view.Object)[0].partition
-            self.scene = FacetScene(partition.mesh, found, partition.region)
+            self.scene = FacetScene(partition.mesh, found, partition.region, edges=view.FacetEdges)
             self.mesh.addChild(self.scene.root)
             self.highlight()
             _show_source(view, False)
@@ -152,18 +165,13 @@ def _colours_of(view: Any) -> Colouring | None:
 
 
 def _add_properties(view: Any) -> None:
-    if hasattr(view, "UserColours"):
-        return
-    view.addProperty("App::PropertyEnumeration", "ColourBy", "GPS", "What the colours show")
-    view.ColourBy = list(COLOUR_BY)
-    view.addProperty("App::PropertyEnumeration", "Elements", "GPS", "What has the colours")
-    view.Elements = [FACES, FACETS]
-    text = "Whether the part was hidden to show its mesh"
-    view.addProperty("App::PropertyBool", "HidSource", "GPS", text)
-    text = "The user's own colours of the source's faces, while ours are shown"
-    view.addProperty("App::PropertyColorList", "UserColours", "GPS", text)
-    for name in ("HidSource", "UserColours"):
-        view.setEditorMode(name, 2)
+    """The view's properties; documents of older versions get those that came later."""
+    for kind, name, editor, text in _PROPERTIES:
+        if not hasattr(view, name):
+            view.addProperty(kind, name, "GPS", text)
+            view.setEditorMode(name, editor)
+            if name in _CHOICES:
+                setattr(view, name, list(_CHOICES[name]))
 
 
 def _show_source(view: Any, wanted: bool) -> None:
