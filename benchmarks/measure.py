@@ -132,9 +132,17 @@ def measure(path: Path, rounds: int) -> dict[str, Any]:
         if number == 0:
             memory = resident("VmHWM") - before
         stages.append(dict(clock.spent))
+        likelihoods, _ = timed(lambda r=result: [dict(x.log_likelihood) for x in r.regions])
         own, _ = timed(lambda: curvature_alone(vertices, triangles))
         peer, _ = timed(lambda: igl.principal_curvature(vertices, triangles))
-        runs.append({"whole": seconds, "curvature alone": own, "libigl": peer})
+        runs.append(
+            {
+                "whole": seconds,
+                "likelihoods": likelihoods,
+                "curvature alone": own,
+                "libigl": peer,
+            }
+        )
     said = about(path)
     return {
         "vertices": len(vertices),

@@ -82,6 +82,10 @@ def _main_table(cases: dict[str, Case]) -> list[str]:
         if any(case["stages"].get(stage, 0.0) >= 0.01 for case in cases.values())
     ]
     rows += [
+        (
+            "log-likelihoods, once they are read",
+            [_number(_run(c, "likelihoods")) for c in cases.values()],
+        ),
         ("libigl `principal_curvature`", [_number(_run(c, "libigl")) for c in cases.values()]),
         (
             "**whole / libigl**",

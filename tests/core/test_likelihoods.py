@@ -1,4 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
+from functools import partial
+
 import numpy as np
 import pytest
 from analytic_meshes import TURN, samples
@@ -7,9 +9,9 @@ from hypothesis import strategies as st
 
 from gpswb.core.invariance import CLASSES
 from gpswb.core.kernel_density import leave_one_out_at, leave_one_out_log_density
-from gpswb.core.likelihood import covered_angle, log_likelihoods, solid_angle
+from gpswb.core.likelihood import LogLikelihoods, covered_angle, log_likelihoods, solid_angle
 from gpswb.core.mesh import FloatArray
-from gpswb.core.reference import estimate_references
+from gpswb.core.reference import References, estimate_references
 
 
 def direct(points: FloatArray, bandwidth: FloatArray) -> FloatArray:
@@ -178,3 +180,28 @@ def test_classes_without_reference_get_no_value() -> None:
     p, n = samples("planar", 100)
     some = estimate_references(p, n, classes=("planar", "complex"))
     assert set(log_likelihoods(p, some, 1e-3)) == {"planar", "complex"}
+
+
+def test_likelihoods_of_a_region_wait_until_they_are_read_and_can_be_copied_before_that() -> None:
+    p, n = samples("cylindrical", 600)
+    asked = []
+
+    def references() -> References:
+        asked.append(1)
+        return estimate_references(p, n)
+
+    waiting = LogLikelihoods(p, references, 1e-3)
+    assert not asked
+    assert dict(waiting) == log_likelihoods(p, estimate_references(p, n), 1e-3)
+    assert waiting["planar"] == waiting["planar"]
+    assert len(asked) == 1
+    sent = LogLikelihoods(p, partial(estimate_references, p, n), 1e-3)
+    assert dict(pickle.loads(pickle.dumps(sent))) == dict(waiting)
+
+
+def test_large_regions_are_thinned_and_scaled_up() -> None:
+    p, n = samples("planar", 12000)
+    references = estimate_references(p, n)
+    found = LogLikelihoods(p, partial(dict, references), 1e-3)
+    thin = log_likelihoods(p[np.linspace(0, 11999, 4000).round().astype(int)], references, 1e-3)
+    assert found["complex"] == pytest.approx(3.0 * thin["complex"])
