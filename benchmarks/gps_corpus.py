@@ -197,7 +197,8 @@ def _isolated(path: Path, limit: float, *, recognised: bool) -> Row:
         child.join()
         if child.exitcode == -signal.SIGXCPU:
             return Row(path.name, f"not done in {limit:g} s of CPU time")
-        return Row(path.name, "crashed the kernel")
+        # Python ends with 1 after an error that nobody expected; a crash is a signal.
+        return Row(path.name, "internal error" if child.exitcode == 1 else "crashed the kernel")
     finally:
         child.kill()
         child.join()
