@@ -13,7 +13,7 @@ from gpswb.core.mesh import IntArray
 from gpswb.core.noisy.border_angle import meet_at_crease
 from gpswb.core.noisy.expansion import OUTSIDE
 from gpswb.core.noisy.freeform import Freeform
-from gpswb.core.noisy.general_surface import general_surface, priced
+from gpswb.core.noisy.general_surface import LEAST, general_surface, priced
 from gpswb.core.noisy.merging import REGION, facets_of, length_of, smooth_neighbours
 from gpswb.core.noisy.models import Model, Surface
 from gpswb.core.noisy.noisy_mesh import NoisyMesh
@@ -23,6 +23,9 @@ from gpswb.core.slippage import SlippageMoments, slippage_moments
 TRIAL = 60.0
 """What a union may lose by itself: a profile of three arcs is dearer than two cylinders, and only
 with the next neighbours it gets cheaper."""
+
+CONTACT = 3
+"""Edges that pieces of one face have in common at least."""
 
 FLAT = 40.0
 """Price of a plane in a union: planes are the commonest faces, and curved ones are hardly ever flat
@@ -69,7 +72,8 @@ def join_regions(
     queue: list[tuple[float, int, int, int, _Piece]] = []
 
     def push(a: int, b: int) -> None:
-        if _creased(noisy, alive[a], alive[b], _border(noisy, home, a, b)):
+        border = _border(noisy, home, a, b)
+        if len(border) < CONTACT or _creased(noisy, alive[a], alive[b], border):
             return
         union = _joined(noisy, alive[a], alive[b])
         if union is not None:
@@ -150,7 +154,8 @@ def _pieces(noisy: NoisyMesh, models: Sequence[Surface], label: IntArray) -> lis
     order = np.argsort(part, kind="stable")
     loose = np.split(none[order], np.flatnonzero(np.diff(part[order])) + 1)
     number = np.full(len(label), -1, dtype=np.int64)
-    everything = [g for _, g in groups] + [g for g in loose if len(g)]
+    # Few facets are strays: they go to a neighbour later.
+    everything = [g for _, g in groups] + [g for g in loose if len(g) >= LEAST]
     for i, facets in enumerate(everything):
         number[facets] = i
     mesh = noisy.mesh
