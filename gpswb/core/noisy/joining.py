@@ -27,6 +27,10 @@ with the next neighbours it gets cheaper."""
 CONTACT = 3
 """Edges that pieces of one face have in common at least."""
 
+AXIS = 45.0
+"""Price of each piece but the first in a surface of revolution: a turned part is one as a whole, and
+its faces share an axis, of which each has four unknowns to itself in its own description."""
+
 FLAT = 40.0
 """Price of a plane in a union: planes are the commonest faces, and curved ones are hardly ever flat
 anywhere."""
@@ -41,6 +45,11 @@ class _Piece:
     length: float
     moments: SlippageMoments
     parts: tuple[_Piece, ...] = ()
+
+    @property
+    def pieces(self) -> int:
+        """Number of regions that it consists of."""
+        return sum(part.pieces for part in self.parts) if self.parts else 1
 
     @property
     def planes(self) -> int:
@@ -199,4 +208,6 @@ def _joined(noisy: NoisyMesh, a: _Piece, b: _Piece) -> _Piece | None:
     if one is None:
         return None
     length = one.cost + REGION + FLAT * (a.planes + b.planes)
+    if one.invariance_class == "revolute":
+        length += AXIS * (a.pieces + b.pieces - 1)
     return _Piece(facets, one, length, moments, (a, b))
