@@ -28,7 +28,7 @@ CONTACT = 3
 """Edges that pieces of one face have in common at least."""
 
 AXIS = 45.0
-"""Price of each piece but the first in a surface of revolution: a turned part is one as a whole, and
+"""Price of each piece but the first in a surface of revolution: a turned part is one as a whole and
 its faces share an axis, of which each has four unknowns to itself in its own description."""
 
 FLAT = 40.0
