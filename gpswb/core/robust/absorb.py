@@ -11,15 +11,15 @@ from gpswb.core.initial import InitialPartition
 from gpswb.core.mesh import BoolArray, IntArray, Mesh
 from gpswb.core.robust.evidence import EXACT, sagitta
 from gpswb.core.robust.freeform import SMOOTH
-from gpswb.core.robust.growth import Grown, residual, stand_off
+from gpswb.core.robust.growth import Grown, stand_off, vertices_of
 from gpswb.core.robust.leftover import classes_of
 from gpswb.core.robust.surfaces import distance
 from gpswb.core.robust.topology import FacetGraph
 from gpswb.core.tolerances import Tolerances
 
-CHANCE = 300.0
-"""A region that bends by less than so many times its residual may be a chance fit: two tangent
-surfaces whose curvatures differ by a third leave as much."""
+CHANCE = 1000.0
+"""A region that bends by less than so many times what it stands off may be a chance fit: two
+tangent surfaces whose curvatures differ by a third leave as much."""
 
 SHARE = 0.5
 """Share of a piece's border across which it must continue smoothly into what surrounds it."""
@@ -68,9 +68,8 @@ def absorb_pieces(
     kept = np.bincount(label[sure & (label >= 0)], minlength=int(label.max(initial=-1)) + 1) > 0
     chance = np.zeros(len(kept), dtype=bool)
     for i, g in enumerate(surfaces):
-        bend, off = sagitta(mesh, g), residual(mesh, g)
-        middle = stand_off(g, mesh.vertices[np.unique(mesh.triangles[g.facets])])
-        kept[i] |= g.kind == "plane" or (bend >= EXACT * middle and len(g.facets) >= few)
+        bend, off = sagitta(mesh, g), stand_off(g, vertices_of(mesh, g.facets))
+        kept[i] |= g.kind == "plane" or (bend >= EXACT * off and len(g.facets) >= few)
         chance[i] = bend < CHANCE * off
     for _ in range(ROUNDS):
         size = np.bincount(out[out >= 0], minlength=len(kept))

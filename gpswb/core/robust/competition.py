@@ -6,9 +6,13 @@ from __future__ import annotations
 import numpy as np
 
 from gpswb.core.mesh import BoolArray, IntArray, Mesh
-from gpswb.core.robust.growth import Grown, flood, residual
+from gpswb.core.robust.growth import Grown, flood, stand_off, vertices_of
 from gpswb.core.robust.surfaces import distance
 from gpswb.core.robust.topology import FacetGraph
+
+OUTLYING = 6.0
+"""Stand-offs beyond which a vertex isn't of a surface: the largest of thousands of normal
+deviations is half as far."""
 
 KEPT = 0.5
 """A region that loses more than this share of its facets to larger ones was a piece of them."""
@@ -41,7 +45,7 @@ def compete(
         found: regions, without common facets.
         polygon: (m,) polygon of each facet.
         certain: (k,) polygons that were taken for planes.
-        floor: least tolerance, mm; a region is grown to three times its own residual.
+        floor: least tolerance, mm; a region is grown as far as its own vertices stand off.
 
     Returns:
         The regions that are left, largest first, without common facets.
@@ -53,7 +57,7 @@ def compete(
         own = g.facets[free[g.facets]]
         if len(own) < max(1.0, KEPT * len(g.facets)):
             continue
-        tolerance = max(3.0 * residual(mesh, g), floor)
+        tolerance = max(OUTLYING * stand_off(g, vertices_of(mesh, own)), floor)
         facets = flood(mesh, graph, g.kind, g.surface, own, free, tolerance)
         facets = np.union1d(facets, own)
         flat = facets[certain[polygon[facets]]]

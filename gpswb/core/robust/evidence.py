@@ -6,7 +6,7 @@ from __future__ import annotations
 import numpy as np
 
 from gpswb.core.mesh import FloatArray, Mesh
-from gpswb.core.robust.growth import Grown, residual
+from gpswb.core.robust.growth import Grown, stand_off, vertices_of
 from gpswb.core.robust.surfaces import distance
 from gpswb.core.robust.topology import FacetGraph
 
@@ -30,9 +30,9 @@ DRIFT = 3.0
 """Outside a true border vertices leave the surface at once; on a freeform surface they drift away:
 their distance stays within so many tolerances, or within the chord error of the facets inside."""
 
-EXACT = 1e4
-"""A region that bends by so many times its largest residual is exact: no patch of another surface
-comes near, whatever continues behind its border."""
+EXACT = 3e4
+"""A region that bends by so many times what its vertices stand off is exact: no patch of another
+surface comes near, whatever continues behind its border."""
 
 DRIFT_SHARE = 0.3
 """Share of drifting border edges that disproves a surface."""
@@ -42,7 +42,7 @@ def enough_evidence(mesh: Mesh, graph: FacetGraph, grown: Grown, tolerance: floa
     """Whether a grown region proves its surface."""
     if len(grown.facets) < 4:
         return False
-    points = mesh.vertices[np.unique(mesh.triangles[grown.facets])]
+    points = vertices_of(mesh, grown.facets)
     if grown.kind in ("cylinder", "cone"):
         if distinct_rulings(points, grown.surface) < LINES:
             return False
@@ -59,11 +59,11 @@ def enough_evidence(mesh: Mesh, graph: FacetGraph, grown: Grown, tolerance: floa
 
 def is_exact(mesh: Mesh, grown: Grown) -> bool:
     """Whether a region bends far more than it deviates, and has rulings enough to prove it."""
-    if sagitta(mesh, grown) < EXACT * residual(mesh, grown):
+    points = vertices_of(mesh, grown.facets)
+    if sagitta(mesh, grown) < EXACT * stand_off(grown, points):
         return False
     if grown.kind not in ("cylinder", "cone"):
         return True
-    points = mesh.vertices[np.unique(mesh.triangles[grown.facets])]
     return distinct_rulings(points, grown.surface) >= SURE_LINES
 
 
@@ -94,7 +94,7 @@ def _distinct(angle: FloatArray) -> int:
 
 def sagitta(mesh: Mesh, grown: Grown) -> float:
     """How far the region's vertices leave their mean plane, mm: a flat one proves no curvature."""
-    points = mesh.vertices[np.unique(mesh.triangles[grown.facets])]
+    points = vertices_of(mesh, grown.facets)
     x = points - points.mean(axis=0)
     normal = np.linalg.eigh(x.T @ x)[1][:, 0]
     return float(np.ptp(x @ normal))

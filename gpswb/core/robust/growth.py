@@ -152,6 +152,11 @@ def stand_off(grown: Grown, points: FloatArray) -> float:
     return float(np.median(np.abs(offset))) / 0.6745
 
 
+def vertices_of(mesh: Mesh, facets: IntArray) -> FloatArray:
+    """(n, 3) mm, the vertices of facets, each once."""
+    return mesh.vertices[np.unique(mesh.triangles[facets])]
+
+
 def to_local(surface: FloatArray, centre: FloatArray, scale: FloatArray, kind: Kind) -> FloatArray:
     """(b, 8) surfaces in coordinates (x - centre) / scale."""
     out = surface.copy()

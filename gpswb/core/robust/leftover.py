@@ -14,6 +14,7 @@ from gpswb.core.region_samples import confined_normals, region_samples
 from gpswb.core.robust.consensus import CREASE
 from gpswb.core.robust.decide import by_gap
 from gpswb.core.robust.parts import connected_parts, halves
+from gpswb.core.robust.smooth_parts import smooth_parts
 from gpswb.core.robust.strips import few_polygons
 from gpswb.core.robust.swept import LEAST_FACETS, follows
 from gpswb.core.robust.topology import FacetGraph
@@ -38,8 +39,9 @@ def label_leftover(
 ) -> tuple[IntArray, BoolArray]:
     """Give every facet without a label one.
 
-    What hangs together across smooth edges is one face if one symmetry fits it all; else the
-    pieces that slippage finds in it, if they have symmetries; else one freeform face.
+    What hangs together across smooth edges without a jump of curvature is one face if one
+    symmetry fits it all; else the pieces that slippage finds in it, if they have symmetries; else
+    one freeform face.
 
     Args:
         mesh: the mesh.
@@ -63,7 +65,7 @@ def label_leftover(
         return out, few
     joined = rest[graph.pairs].all(axis=1)
     joined &= (np.abs(graph.pair_dihedral) < CREASE) & ~first.crease
-    part = np.where(rest, graph.components(joined, len(label)), -1)
+    part = np.where(rest, smooth_parts(mesh, graph, joined), -1)
     part, _ = number_facet_regions(part, mesh)
     part = _swept_apart(mesh, graph, first, part, joined, sigma, tolerances)
     broken = rest & (classes_of(mesh, part, first.crease, sigma, tolerances) == "complex")[part]

@@ -59,15 +59,24 @@ def patches_around(
         passable: (m, 3) bool: which edges of a facet may be crossed.
         rings: number of steps.
     """
-    facets = np.full((len(seeds), 1), -1, dtype=np.int64)
-    facets[:, 0] = seeds
-    front = facets
+    return patches_of(mesh, rings_of(graph, seeds[:, None], passable, rings))
+
+
+def rings_of(graph: FacetGraph, seeds: IntArray, passable: BoolArray, rings: int) -> IntArray:
+    """(b, f) facets within some steps of (b, k) seeds, -1 for padding; see ``patches_around``."""
+    facets = front = seeds
     for _ in range(rings):
         safe = np.maximum(front, 0)
         step = np.where(passable[safe] & (front >= 0)[..., None], graph.neighbour[safe], -1)
         facets = _unique_rows(np.concatenate([facets, step.reshape(len(seeds), -1)], axis=1))
         front = _unique_rows(step.reshape(len(seeds), -1))
-    return patches_of(mesh, facets)
+    return facets
+
+
+def vertices_of_rows(mesh: Mesh, facets: IntArray) -> IntArray:
+    """(b, n) vertices of (b, f) facets, each once in a row, -1 for padding."""
+    corners = np.where(facets[..., None] >= 0, mesh.triangles[np.maximum(facets, 0)], -1)
+    return _unique_rows(corners.reshape(len(facets), -1))
 
 
 def patches_of(mesh: Mesh, facets: IntArray) -> Patches:
@@ -77,8 +86,7 @@ def patches_of(mesh: Mesh, facets: IntArray) -> Patches:
         mesh: the mesh.
         facets: (b, f) facet indices, -1 for padding.
     """
-    corners = np.where(facets[..., None] >= 0, mesh.triangles[np.maximum(facets, 0)], -1)
-    vertices = _unique_rows(corners.reshape(len(facets), -1))
+    vertices = vertices_of_rows(mesh, facets)
     weights = (vertices >= 0).astype(np.float64)
     points = mesh.vertices[np.maximum(vertices, 0)]
     count = np.maximum(weights.sum(axis=1), 1.0)

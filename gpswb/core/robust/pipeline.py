@@ -24,9 +24,10 @@ from gpswb.core.robust.decide import by_gap, unless_far_better
 from gpswb.core.robust.describe import describe_surface
 from gpswb.core.robust.evidence import EXACT, is_exact, sagitta
 from gpswb.core.robust.freeform import dissolve
-from gpswb.core.robust.growth import Grown, fit_facets, grow, stand_off
+from gpswb.core.robust.growth import Grown, fit_facets, flood, stand_off
 from gpswb.core.robust.leftover import label_leftover
 from gpswb.core.robust.polygons import certain_planes, coplanar_polygons
+from gpswb.core.robust.reclaim import reclaim
 from gpswb.core.robust.surfaces import Kind
 from gpswb.core.robust.topology import FacetGraph
 from gpswb.core.stages import Progress, StageClock
@@ -142,6 +143,7 @@ def simple_surfaces(
     found = dissolve(mesh, graph, found, polygon, whole & ~certain[polygon])
     # What the dissolved regions had taken may belong to those that stay.
     found = compete(mesh, graph, found, polygon, certain, fine)
+    found = reclaim(mesh, graph, found, certain[polygon], fine)
     planes = []
     order = np.argsort(polygon, kind="stable")
     bounds = np.searchsorted(polygon[order], np.arange(len(certain) + 1))
@@ -170,13 +172,15 @@ def _still_free(weak: list[Grown], free: BoolArray) -> list[Grown]:
 def _regrow(
     mesh: Mesh, graph: FacetGraph, grown: Grown, free: BoolArray, tolerance: float
 ) -> Grown:
-    """Take in the facets that a wider tolerance adds, and mark them as no longer free."""
+    """Take in the facets that a wider tolerance adds, and mark them as no longer free.
+
+    The surface stays what it is: what is taken in is off it by the tolerance of an edge.
+    """
     free[grown.facets] = True
-    more = grow(mesh, graph, grown.kind, grown.surface, grown.facets, free, tolerance)
-    if len(more.facets) < len(grown.facets):
-        more = grown
-    free[more.facets] = False
-    return more
+    more = flood(mesh, graph, grown.kind, grown.surface, grown.facets, free, tolerance)
+    facets = np.union1d(grown.facets, more)
+    free[facets] = False
+    return Grown(grown.kind, grown.surface, facets)
 
 
 def _recognise(

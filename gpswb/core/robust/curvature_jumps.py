@@ -1,0 +1,102 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""How far curvature jumps across the edges of a smooth mesh: where faces join without a crease."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from gpswb.core.mesh import BoolArray, FloatArray, IntArray, Mesh
+from gpswb.core.robust.patches import rings_of, vertices_of_rows
+from gpswb.core.robust.topology import FacetGraph
+
+RINGS = 3
+"""Steps from an edge to the facets whose vertices are fitted: some twenty for eleven unknowns."""
+
+SPARE = 3
+"""Vertices beyond the unknowns, below which nothing is said of an edge."""
+
+SURE = 3.0
+"""Standard errors that are taken off a jump."""
+
+FADE = 1.5
+"""Vertices at the rim of the stencil weigh exp(-FADE) of those at the edge."""
+
+FLATTEST = 1e-3
+"""Least curvature that a jump is compared with, as share of 1 / diagonal."""
+
+BLOCK = 1024
+"""Edges fitted together."""
+
+
+def curvature_jumps(
+    mesh: Mesh, graph: FacetGraph, edges: IntArray, passable: BoolArray
+) -> FloatArray:
+    """Relative jump of the normal curvature across edges.
+
+    Two surfaces that join smoothly have the same curvatures along their common border and in its
+    mixed term; only that across it can jump. In a frame at the edge, with s across and t along
+    it, the mesh's vertices are fitted by a full cubic in (s, t) and one term max(s, 0)².
+
+    Args:
+        mesh: the mesh; its vertices lie on their surfaces to rounding.
+        graph: its adjacency.
+        edges: (k,) numbers of interior edges, as in ``graph.pairs``.
+        passable: (m, 3) edges of facets that the neighbourhood may cross.
+
+    Returns:
+        (k,) the jump, less what the fit leaves open, over the largest curvature on either side.
+    """
+    out = np.zeros(len(edges))
+    for start in range(0, len(edges), BLOCK):
+        some = slice(start, start + BLOCK)
+        out[some] = _jumps(mesh, graph, edges[some], passable)
+    return out
+
+
+def _jumps(mesh: Mesh, graph: FacetGraph, edges: IntArray, passable: BoolArray) -> FloatArray:
+    facets = rings_of(graph, graph.pairs[edges], passable, RINGS)
+    vertices = vertices_of_rows(mesh, facets)
+    present = vertices >= 0
+    ends = mesh.vertices[graph.pair_edges[edges]]
+    along = _unit(ends[:, 1] - ends[:, 0])
+    normal = mesh.facet_normals[graph.pairs[edges]].sum(axis=1)
+    normal = _unit(normal - np.einsum("ek,ek->e", normal, along)[:, None] * along)
+    x = (mesh.vertices[np.maximum(vertices, 0)] - ends.mean(axis=1)[:, None]) * present[..., None]
+    s, t, h = (np.einsum("enk,ek->en", x, a) for a in (np.cross(normal, along), along, normal))
+    size_s, size_t, size_h = (np.maximum(np.abs(q).max(axis=1), 1e-300) for q in (s, t, h))
+    s, t, h = s / size_s[:, None], t / size_t[:, None], h / size_h[:, None]
+    weight = present * np.exp(-FADE * (s * s + t * t))
+    one = np.ones_like(s)
+    beyond = np.maximum(s, 0.0)
+    terms = [one, s, t, s * s, s * t, t * t, s**3, s * s * t, s * t * t, t**3, beyond * beyond]
+    rows = np.stack(terms, axis=2) * weight[..., None]
+    unknowns = rows.shape[2]
+    matrix = np.swapaxes(rows, 1, 2) @ rows
+    count = present.sum(axis=1)
+    matrix[:, range(unknowns), range(unknowns)] += 1e-10 * count[:, None]
+    inverse = np.linalg.inv(matrix)
+    c = np.einsum("eij,enj,en->ei", inverse, rows, h * weight, optimize=True)
+    left = np.einsum("eni,ei->en", rows, c) - h * weight
+    variance = (left**2).sum(axis=1) / np.maximum(count - unknowns, 1)
+    second = 2.0 * size_h / size_s**2
+    jump = np.abs(c[:, 10]) * second
+    open_ = np.sqrt(variance * np.maximum(inverse[:, 10, 10], 0.0)) * second
+    across, mixed = c[:, 3] * second, c[:, 4] * size_h / (size_s * size_t)
+    other = 2.0 * c[:, 5] * size_h / size_t**2
+    curvature = np.maximum(
+        _largest(across, mixed, other), _largest(across + c[:, 10] * second, mixed, other)
+    )
+    relative = (jump - SURE * open_) / np.maximum(curvature, FLATTEST / mesh.diagonal)
+    known: FloatArray = np.where(count >= unknowns + SPARE, np.maximum(relative, 0.0), 0.0)
+    return known
+
+
+def _largest(a: FloatArray, b: FloatArray, c: FloatArray) -> FloatArray:
+    """(k,) largest principal curvature, by magnitude, of ((a, b), (b, c))."""
+    largest: FloatArray = np.abs(a + c) / 2.0 + np.hypot((a - c) / 2.0, b)
+    return largest
+
+
+def _unit(v: FloatArray) -> FloatArray:
+    unit: FloatArray = v / np.maximum(np.linalg.norm(v, axis=1), 1e-300)[:, None]
+    return unit
