@@ -15,6 +15,10 @@ RINGS = 3
 SPARE = 3
 """Vertices beyond the unknowns, below which nothing is said of an edge."""
 
+BORDER = 0.35
+"""Mean of a border's jumps from which there are two faces: B-spline faces, too, have lines inside
+along which curvature jumps, by less than a third in those that were seen."""
+
 SURE = 3.0
 """Standard errors that are taken off a jump."""
 
@@ -30,7 +34,7 @@ BLOCK = 1024
 
 def curvature_jumps(
     mesh: Mesh, graph: FacetGraph, edges: IntArray, passable: BoolArray
-) -> FloatArray:
+) -> tuple[FloatArray, BoolArray]:
     """Relative jump of the normal curvature across edges.
 
     Two surfaces that join smoothly have the same curvatures along their common border and in its
@@ -44,16 +48,19 @@ def curvature_jumps(
         passable: (m, 3) edges of facets that the neighbourhood may cross.
 
     Returns:
-        (k,) the jump, less what the fit leaves open, over the largest curvature on either side.
+        (k,) the jump, less what the fit leaves open, over the largest curvature on either side,
+        and (k,) whether it is seen to be none: less than ``BORDER`` by a standard error.
     """
-    out = np.zeros(len(edges))
+    jump, none = np.zeros(len(edges)), np.zeros(len(edges), dtype=bool)
     for start in range(0, len(edges), BLOCK):
         some = slice(start, start + BLOCK)
-        out[some] = _jumps(mesh, graph, edges[some], passable)
-    return out
+        jump[some], none[some] = _jumps(mesh, graph, edges[some], passable)
+    return jump, none
 
 
-def _jumps(mesh: Mesh, graph: FacetGraph, edges: IntArray, passable: BoolArray) -> FloatArray:
+def _jumps(
+    mesh: Mesh, graph: FacetGraph, edges: IntArray, passable: BoolArray
+) -> tuple[FloatArray, BoolArray]:
     facets = rings_of(graph, graph.pairs[edges], passable, RINGS)
     vertices = vertices_of_rows(mesh, facets)
     present = vertices >= 0
@@ -86,9 +93,10 @@ def _jumps(mesh: Mesh, graph: FacetGraph, edges: IntArray, passable: BoolArray) 
     curvature = np.maximum(
         _largest(across, mixed, other), _largest(across + c[:, 10] * second, mixed, other)
     )
-    relative = (jump - SURE * open_) / np.maximum(curvature, FLATTEST / mesh.diagonal)
-    known: FloatArray = np.where(count >= unknowns + SPARE, np.maximum(relative, 0.0), 0.0)
-    return known
+    curvature = np.maximum(curvature, FLATTEST / mesh.diagonal)
+    enough = count >= unknowns + SPARE
+    least = np.where(enough, np.maximum(jump - SURE * open_, 0.0) / curvature, 0.0)
+    return least, enough & (jump + open_ < BORDER * curvature)
 
 
 def _largest(a: FloatArray, b: FloatArray, c: FloatArray) -> FloatArray:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Surfaces that were only seen in a freeform one: local fits that the mesh around drifts from."""
+"""Surfaces that were only seen in a freeform one: local fits that go on smoothly around."""
 
 from __future__ import annotations
 
@@ -9,6 +9,7 @@ from gpswb.core.facet_edges import side_lengths
 from gpswb.core.mesh import BoolArray, IntArray, Mesh
 from gpswb.core.robust.evidence import is_exact
 from gpswb.core.robust.growth import Grown
+from gpswb.core.robust.smooth_parts import smooth_parts
 from gpswb.core.robust.strips import few_polygons
 from gpswb.core.robust.topology import FacetGraph
 
@@ -18,6 +19,10 @@ SMOOTH = 0.35
 SHARE = 0.4
 """Share of a weak region's border that smoothly continues into unexplained facets, above which the
 region is a piece of what is unexplained. A true face ends at creases or at other true faces."""
+
+SEEN_SHARE = 0.2
+"""The same where the curvature is seen not to jump: a piece of a narrow face ends like it does on
+either side, and only the ends of the piece are within the face."""
 
 
 def dissolve(
@@ -33,11 +38,16 @@ def dissolve(
         whole: (m,) facets that could be explained: those of no region are not, yet.
     """
     weak = [not is_exact(mesh, g) for g in found]
+    if not any(weak):
+        return found
+    owner = np.full(len(whole), -1, dtype=np.int64)
     unexplained = whole.copy()
-    for g in found:
+    for i, g in enumerate(found):
+        owner[g.facets] = i
         unexplained[g.facets] = False
     # A plane of few facets proves nothing either, but it ends where it ends.
     unexplained &= ~few_polygons(graph, polygon, unexplained)
+    goes_on = _goes_on(mesh, graph, unexplained | (owner >= 0) & np.append(weak, False)[owner])
     length = side_lengths(mesh)
     keep = [True] * len(found)
     changed = True
@@ -46,15 +56,24 @@ def dissolve(
         for i, g in enumerate(found):
             if not (weak[i] and keep[i]):
                 continue
-            inside = np.zeros(len(whole), dtype=bool)
-            inside[g.facets] = True
             neighbour = graph.neighbour[g.facets]
-            border = ~inside[np.maximum(neighbour, 0)] | (neighbour < 0)
+            beyond = np.maximum(neighbour, 0)
+            border = (neighbour < 0) | (owner[beyond] != i)
             smooth = border & (neighbour >= 0) & (np.abs(graph.dihedral[g.facets]) < SMOOTH)
-            smooth &= unexplained[np.maximum(neighbour, 0)]
+            smooth &= unexplained[beyond]
+            seen = border & goes_on[g.facets]
             edge = length[g.facets]
-            if edge[smooth].sum() > SHARE * edge[border].sum():
+            total = edge[border].sum()
+            if edge[smooth].sum() > SHARE * total or edge[seen].sum() > SEEN_SHARE * total:
                 keep[i] = False
                 unexplained[g.facets] = True
                 changed = True
     return [g for g, kept in zip(found, keep, strict=True) if kept]
+
+
+def _goes_on(mesh: Mesh, graph: FacetGraph, open_: BoolArray) -> BoolArray:
+    """(m, 3) edges between open facets across which curvature is seen not to jump."""
+    joined = open_[graph.pairs].all(axis=1) & (np.abs(graph.pair_dihedral) < SMOOTH)
+    part, seen = smooth_parts(mesh, graph, joined)
+    within = seen & (part[graph.pairs[:, 0]] == part[graph.pairs[:, 1]])
+    return graph.sides(np.flatnonzero(within))

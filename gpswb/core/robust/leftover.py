@@ -65,7 +65,7 @@ def label_leftover(
         return out, few
     joined = rest[graph.pairs].all(axis=1)
     joined &= (np.abs(graph.pair_dihedral) < CREASE) & ~first.crease
-    part = np.where(rest, smooth_parts(mesh, graph, joined), -1)
+    part = np.where(rest, smooth_parts(mesh, graph, joined)[0], -1)
     part, _ = number_facet_regions(part, mesh)
     part = _swept_apart(mesh, graph, first, part, joined, sigma, tolerances)
     broken = rest & (classes_of(mesh, part, first.crease, sigma, tolerances) == "complex")[part]

@@ -9,15 +9,11 @@ from scipy.sparse.csgraph import connected_components, minimum_spanning_tree
 
 from gpswb.core.merging import merge_regions
 from gpswb.core.mesh import BoolArray, FloatArray, IntArray, Mesh
-from gpswb.core.robust.curvature_jumps import curvature_jumps
+from gpswb.core.robust.curvature_jumps import BORDER, curvature_jumps
 from gpswb.core.robust.topology import FacetGraph
 
 DISTINCT = 0.25
 """Relative jump at which an edge may be of a border; a border has some that aren't seen."""
-
-BORDER = 0.35
-"""Mean of a border's jumps from which there are two faces: B-spline faces, too, have lines inside
-along which curvature jumps, by less than a third in those that were seen."""
 
 CORE = 8
 """Facets from which a part between such edges is a face's, and not a gap between two borders."""
@@ -26,7 +22,7 @@ ROOT = 1e-9
 """Weight that ties cores together: less than any edge has, for an edge without weight is none."""
 
 
-def smooth_parts(mesh: Mesh, graph: FacetGraph, joined: BoolArray) -> IntArray:
+def smooth_parts(mesh: Mesh, graph: FacetGraph, joined: BoolArray) -> tuple[IntArray, BoolArray]:
     """Parts of a mesh, divided where curvature jumps.
 
     Facets that no border edge touches, not even at an end, hang together in cores: that closes
@@ -39,15 +35,15 @@ def smooth_parts(mesh: Mesh, graph: FacetGraph, joined: BoolArray) -> IntArray:
         joined: (e,) pairs of facets that hang together smoothly.
 
     Returns:
-        (m,) 0-based part of each facet, with gaps.
+        (m,) 0-based part of each facet, with gaps, and (e,) pairs of ``joined`` across which
+        curvature is seen not to jump.
     """
     m = len(mesh.triangles)
     edges = np.flatnonzero(joined)
-    inside = np.zeros((m, 3), dtype=bool)
-    for side in (0, 1):
-        facet, other = graph.pairs[edges, side], graph.pairs[edges, 1 - side]
-        inside[facet] |= graph.neighbour[facet] == other[:, None]
-    jump = np.minimum(curvature_jumps(mesh, graph, edges, inside), 1.0)
+    jump, known = curvature_jumps(mesh, graph, edges, graph.sides(edges))
+    jump = np.minimum(jump, 1.0)
+    seen = np.zeros(len(joined), dtype=bool)
+    seen[edges] = known
     touched = np.zeros(len(mesh.vertices), dtype=bool)
     touched[graph.pair_edges[edges[jump > DISTINCT]]] = True
     clear = joined.copy()
@@ -57,10 +53,10 @@ def smooth_parts(mesh: Mesh, graph: FacetGraph, joined: BoolArray) -> IntArray:
     label = _watershed(graph.pairs[edges], jump, np.where(is_core, core, -1))
     names, label = np.unique(label, return_inverse=True)
     length = np.linalg.norm(np.diff(mesh.vertices[graph.pair_edges[edges]], axis=1)[:, 0], axis=1)
-    a, b = label[graph.pairs[edges]].T
-    rule = _BorderJumps(a, b, jump, length)
-    kept = merge_regions(len(names), np.column_stack([a, b])[a != b], rule, 1.0 - BORDER)
-    return kept[label]
+    ends = label[graph.pairs[edges]]
+    rule = _BorderJumps(ends, jump, length, len(names))
+    kept = merge_regions(len(names), ends, rule, 1.0 - BORDER)
+    return kept[label], seen
 
 
 def _watershed(pairs: IntArray, height: FloatArray, core: IntArray) -> IntArray:
@@ -101,29 +97,20 @@ def _watershed(pairs: IntArray, height: FloatArray, core: IntArray) -> IntArray:
 class _BorderJumps:
     """Likeness of regions: 1 less the mean jump along their common border (a ``MergeRule``)."""
 
-    def __init__(self, a: IntArray, b: IntArray, jump: FloatArray, length: FloatArray) -> None:
-        self._sum: dict[int, dict[int, FloatArray]] = {}
-        for first, second, value in zip(
-            a.tolist(), b.tolist(), np.column_stack([jump * length, length]), strict=True
-        ):
-            if first != second:
-                self._add(first, second, value)
-                self._add(second, first, value)
+    def __init__(self, ends: IntArray, jump: FloatArray, length: FloatArray, count: int) -> None:
+        self._ends = ends  # (k, 2) regions on either side of each edge
+        self._jump, self._length = jump * length, length
+        self._count = count
 
     def score(self, first: IntArray, second: IntArray) -> FloatArray:
-        total = np.array(
-            [self._sum[a][b] for a, b in zip(first.tolist(), second.tolist(), strict=True)]
-        )
-        likeness: FloatArray = 1.0 - total[:, 0] / np.maximum(total[:, 1], 1e-300)
+        low, high = self._ends.min(axis=1), self._ends.max(axis=1)
+        border, which = np.unique(low * self._count + high, return_inverse=True)
+        mean = np.bincount(which, self._jump) / np.maximum(np.bincount(which, self._length), 1e-300)
+        asked = np.minimum(first, second) * self._count + np.maximum(first, second)
+        likeness: FloatArray = 1.0 - mean[np.searchsorted(border, asked)]
         return likeness
 
-    def join(self, kept: int, gone: int) -> None:
-        for other, value in self._sum.pop(gone).items():
-            del self._sum[other][gone]
-            if other != kept:
-                self._add(kept, other, value)
-                self._add(other, kept, value)
-
-    def _add(self, first: int, second: int, value: FloatArray) -> None:
-        row = self._sum.setdefault(first, {})
-        row[second] = row[second] + value if second in row else value
+    def join(self, kept: IntArray, gone: IntArray) -> None:
+        now = np.arange(self._count)
+        now[gone] = kept
+        self._ends = now[self._ends]

@@ -58,6 +58,13 @@ class FacetGraph:
         label: IntArray = connected_components(graph, directed=False)[1].astype(np.int64)
         return label
 
+    def sides(self, edges: IntArray) -> BoolArray:
+        """(m, 3) the sides of facets that are some (k,) edges, numbered as ``pairs``."""
+        out = np.zeros(self.neighbour.shape, dtype=bool)
+        for facet, other in (self.pairs[edges].T, self.pairs[edges].T[::-1]):
+            out[facet, np.argmax(self.neighbour[facet] == other[:, None], axis=1)] = True
+        return out
+
 
 def _signed_turning(mesh: Mesh) -> FloatArray:
     """(e,) turning angle of each interior edge, rad, negative where the edge is concave."""
