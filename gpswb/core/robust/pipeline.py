@@ -28,6 +28,7 @@ from gpswb.core.robust.growth import Grown, fit_facets, flood, stand_off
 from gpswb.core.robust.leftover import label_leftover
 from gpswb.core.robust.polygons import certain_planes, coplanar_polygons
 from gpswb.core.robust.reclaim import reclaim
+from gpswb.core.robust.rejoin import rejoin
 from gpswb.core.robust.surfaces import Kind
 from gpswb.core.robust.topology import FacetGraph
 from gpswb.core.stages import Progress, StageClock
@@ -144,6 +145,7 @@ def simple_surfaces(
     # What the dissolved regions had taken may belong to those that stay.
     found = compete(mesh, graph, found, polygon, certain, fine)
     found = reclaim(mesh, graph, found, certain[polygon], fine)
+    found = rejoin(mesh, graph, found, fine)
     planes = []
     order = np.argsort(polygon, kind="stable")
     bounds = np.searchsorted(polygon[order], np.arange(len(certain) + 1))
