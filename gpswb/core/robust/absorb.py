@@ -9,6 +9,7 @@ import numpy as np
 
 from gpswb.core.initial import InitialPartition
 from gpswb.core.mesh import BoolArray, IntArray, Mesh
+from gpswb.core.robust.curvature_jumps import curvature_jumps
 from gpswb.core.robust.evidence import EXACT, sagitta
 from gpswb.core.robust.freeform import SMOOTH
 from gpswb.core.robust.growth import Grown, stand_off, vertices_of
@@ -46,7 +47,8 @@ def absorb_pieces(
 ) -> IntArray:
     """Merge pieces into what they are pieces of.
 
-    A piece has few facets, or lies on its surface only by chance. It goes to the region that it
+    A piece has few facets, or lies on its surface only by chance, or goes on without a jump of
+    curvature. It goes to the region that it
     continues smoothly along most of its border, where its vertices lie near that region's surface,
     or both together keep the motion that the region has, or the region has none.
 
@@ -71,6 +73,7 @@ def absorb_pieces(
         bend, off = sagitta(mesh, g), stand_off(g, vertices_of(mesh, g.facets))
         kept[i] |= g.kind == "plane" or (bend >= EXACT * off and len(g.facets) >= few)
         chance[i] = bend < CHANCE * off
+    goes_on = _goes_on(mesh, graph, label)
     for _ in range(ROUNDS):
         size = np.bincount(out[out >= 0], minlength=len(kept))
         pieces = np.flatnonzero((size > 0) & ~kept)
@@ -78,10 +81,11 @@ def absorb_pieces(
         moved = False
         for piece in pieces[np.argsort(size[pieces], kind="stable")]:
             facets = np.flatnonzero(out == piece)
-            host, share = _host(mesh, graph, out, facets)
+            host, share, seen = _host(mesh, graph, out, facets, goes_on)
             if share < TOUCH or (out == host).sum() < 2 * len(facets):
                 continue
             piecemeal = share >= SHARE and (size[piece] < few or chance[piece])
+            piecemeal |= seen >= SHARE
             if host < len(surfaces):
                 fits = piecemeal and _near(mesh, surfaces[host], facets)
             else:
@@ -99,9 +103,20 @@ def absorb_pieces(
     return out
 
 
-def _host(mesh: Mesh, graph: FacetGraph, label: IntArray, facets: IntArray) -> tuple[int, float]:
+def _goes_on(mesh: Mesh, graph: FacetGraph, label: IntArray) -> BoolArray:
+    """(m, 3) sides at which another label begins and curvature is seen not to jump."""
+    smooth = np.abs(graph.pair_dihedral) < SMOOTH
+    rim = np.flatnonzero(smooth & (label[graph.pairs[:, 0]] != label[graph.pairs[:, 1]]))
+    _, none = curvature_jumps(mesh, graph, rim, graph.sides(np.flatnonzero(smooth)))
+    return graph.sides(rim[none])
+
+
+def _host(
+    mesh: Mesh, graph: FacetGraph, label: IntArray, facets: IntArray, goes_on: BoolArray
+) -> tuple[int, float, float]:
     """The largest label that facets smoothly continue into, of those that share half as much border
-    as the one that shares most, and the share of the border that is smooth; -1 and 0 for none."""
+    as the one that shares most, the share of the border that is smooth, and that with the label
+    across which curvature is seen not to jump; -1 and 0 for none."""
     own = label[facets[0]]
     neighbour = graph.neighbour[facets]
     other = np.where(neighbour >= 0, label[np.maximum(neighbour, 0)], -1)
@@ -112,13 +127,15 @@ def _host(mesh: Mesh, graph: FacetGraph, label: IntArray, facets: IntArray) -> t
     # A facet that is folded over lies in the region beside it all the same.
     smooth = border & (other >= 0) & (np.minimum(turn, np.pi - turn) < SMOOTH)
     if not smooth.any():
-        return -1, 0.0
+        return -1, 0.0, 0.0
     total = np.bincount(other[smooth], length[smooth])
     # Another piece may share more of the border: it is the larger region that is continued.
     hosts = np.flatnonzero(total >= 0.5 * total.max())
     size = np.bincount(label[label >= 0])
-    share = float(total.sum()) / max(float(length[border].sum()), 1e-300)
-    return int(hosts[np.argmax(size[hosts])]), share
+    host = int(hosts[np.argmax(size[hosts])])
+    around = max(float(length[border].sum()), 1e-300)
+    seen = float(length[goes_on[facets] & (other == host)].sum())
+    return host, float(total.sum()) / around, seen / around
 
 
 def _near(mesh: Mesh, host: Grown, facets: IntArray) -> bool:

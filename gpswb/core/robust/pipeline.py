@@ -34,9 +34,9 @@ from gpswb.core.robust.topology import FacetGraph
 from gpswb.core.stages import Progress, StageClock
 from gpswb.core.tolerances import Tolerances
 
-TIERS: tuple[float, ...] = (1e-7, 1e-5, 3e-5, 1e-4)
+TIERS: tuple[float, ...] = (1e-7, 1e-5)
 """Distances that count as none, as shares of the diagonal, tried one after the other: analytic
-surfaces hold to rounding, the edges of exchanged files only to their modelling tolerance."""
+surfaces hold to rounding, approximated ones only to their modelling tolerance."""
 
 CLASS_OF: dict[Kind, InvarianceClass] = {
     "plane": "planar",

@@ -7,6 +7,7 @@ import numpy as np
 
 from gpswb.core.mesh import BoolArray, FloatArray, IntArray, Mesh
 from gpswb.core.robust.competition import OUTLYING
+from gpswb.core.robust.curvature_jumps import curvature_jumps
 from gpswb.core.robust.freeform import SMOOTH
 from gpswb.core.robust.growth import Grown, flood, stand_off, vertices_of
 from gpswb.core.robust.surfaces import distance
@@ -50,31 +51,44 @@ def reclaim(
             allowed = (owner == i) | ((claimable[owner] > NEARER * off[i]) & ~flat)
             limit = OUTLYING * off[i]
             owner[flood(mesh, graph, g.kind, g.surface, core, allowed, limit)] = i
-    out = []
+    outlying = np.zeros(len(owner), dtype=bool)
     for i, g in enumerate(found):
-        own = np.flatnonzero(owner == i)
-        outlying = np.intersect1d(own, g.facets[far[i] & ~flat[g.facets]])
-        own = np.setdiff1d(own, _leaked(graph, own, outlying))
-        if len(own):
-            out.append(Grown(g.kind, g.surface, own))
+        outlying[g.facets[far[i]]] = owner[g.facets[far[i]]] == i
+    owner[_leaked(mesh, graph, owner, outlying & ~flat)] = -1
+    order = np.argsort(owner, kind="stable")
+    bounds = np.searchsorted(owner[order], np.arange(len(found) + 1))
+    out = []
+    for g, start, end in zip(found, bounds[:-1], bounds[1:], strict=True):
+        if end > start:
+            out.append(Grown(g.kind, g.surface, order[start:end]))
     return sorted(out, key=lambda g: -len(g.facets))
 
 
-def _leaked(graph: FacetGraph, own: IntArray, outlying: IntArray) -> IntArray:
-    """Those outlying facets of a region that smoothly continue, over one another, into what is not
-    of it. The others end at a crease: there edges are off their faces by modelling tolerance."""
-    m = len(graph.neighbour)
-    inside, far = np.zeros(m, dtype=bool), np.zeros(m, dtype=bool)
-    inside[own] = far[outlying] = True
-    smooth = (graph.neighbour >= 0) & (np.abs(graph.dihedral) < SMOOTH)
-    beyond = np.maximum(graph.neighbour, 0)
-    front = outlying[(smooth[outlying] & ~inside[beyond[outlying]]).any(axis=1)]
-    leaked = np.zeros(m, dtype=bool)
-    while len(front):
-        leaked[front] = True
-        step = np.unique(beyond[front][smooth[front]])
-        front = step[far[step] & ~leaked[step]]
-    return np.flatnonzero(leaked)
+def _leaked(mesh: Mesh, graph: FacetGraph, owner: IntArray, outlying: BoolArray) -> BoolArray:
+    """(m,) those outlying facets before which curvature jumps more than behind them.
+
+    Others are off their surface because their edge is, by modelling tolerance.
+    """
+    a, b = graph.pairs.T
+    smooth = np.abs(graph.pair_dihedral) < SMOOTH
+    within = smooth & outlying[a] & outlying[b] & (owner[a] == owner[b])
+    piece = graph.components(within, len(owner))
+    rim = np.flatnonzero(smooth & (outlying[a] | outlying[b]) & ~within)
+    everywhere = graph.sides(np.flatnonzero(smooth))
+    jump, _ = curvature_jumps(mesh, graph, rim, everywhere)
+    length = np.linalg.norm(np.diff(mesh.vertices[graph.pair_edges[rim]], axis=1)[:, 0], axis=1)
+    # Both sides of the rim, seen from each of its facets that is outlying.
+    one, other = np.concatenate([a[rim], b[rim]]), np.concatenate([b[rim], a[rim]])
+    weight, jumps = np.tile(length, 2), np.tile(np.minimum(jump, 1.0) * length, 2)
+    means = []
+    inside = owner[one] == owner[other]
+    for side in (outlying[one] & inside, outlying[one] & ~inside):
+        total = np.bincount(piece[one[side]], weight[side], len(owner))
+        jumped = np.bincount(piece[one[side]], jumps[side], len(owner))
+        means.append(np.where(total > 0.0, jumped / np.maximum(total, 1e-300), np.inf))
+    before, behind = means
+    leaked: BoolArray = outlying & (before > behind)[piece]
+    return leaked
 
 
 def _largest(mesh: Mesh, grown: Grown) -> FloatArray:
