@@ -93,7 +93,7 @@ def _leaked(mesh: Mesh, graph: FacetGraph, owner: IntArray, outlying: BoolArray)
 
 def _largest(mesh: Mesh, grown: Grown) -> FloatArray:
     """(k,) largest distance of each facet's corners from the region's surface, mm."""
-    corners = mesh.corners[grown.facets].reshape(1, -1, 3)
+    corners = mesh.corners_of(grown.facets).reshape(1, -1, 3)
     d, _ = distance(grown.kind, grown.surface[None], corners)
     largest: FloatArray = np.abs(d).reshape(-1, 3).max(axis=1)
     return largest
