@@ -31,6 +31,13 @@ TOUCH = 0.05
 OFF = 0.1
 """Share of a piece's own extent that its vertices may stand off the surface that takes it."""
 
+ALONE = 0.9
+"""Share of a piece's smooth border from which it has one neighbour: the rest are creases."""
+
+EDGES = 1e-4
+"""Share of the diagonal by which the vertices of such a piece may be off its neighbour's surface:
+those of an edge hold to the modelling tolerance of exchanged files only."""
+
 ROUNDS = 3
 """A piece may continue another one that has just been taken."""
 
@@ -81,13 +88,15 @@ def absorb_pieces(
         moved = False
         for piece in pieces[np.argsort(size[pieces], kind="stable")]:
             facets = np.flatnonzero(out == piece)
-            host, share, seen = _host(mesh, graph, out, facets, goes_on)
+            host, share, only, seen = _host(mesh, graph, out, facets, goes_on)
             if share < TOUCH or (out == host).sum() < 2 * len(facets):
                 continue
             piecemeal = share >= SHARE and (size[piece] < few or chance[piece])
             piecemeal |= seen >= SHARE
             if host < len(surfaces):
-                fits = piecemeal and _near(mesh, surfaces[host], facets)
+                far, extent = _far(mesh, surfaces[host], facets)
+                fits = piecemeal and far <= OFF * extent
+                fits |= (only >= ALONE or share >= SHARE) and far <= EDGES * mesh.diagonal
             else:
                 if names is None:
                     names = _names(mesh, first, out, len(surfaces), sigma, tolerances)
@@ -113,10 +122,11 @@ def _goes_on(mesh: Mesh, graph: FacetGraph, label: IntArray) -> BoolArray:
 
 def _host(
     mesh: Mesh, graph: FacetGraph, label: IntArray, facets: IntArray, goes_on: BoolArray
-) -> tuple[int, float, float]:
+) -> tuple[int, float, float, float]:
     """The largest label that facets smoothly continue into, of those that share half as much border
-    as the one that shares most, the share of the border that is smooth, and that with the label
-    across which curvature is seen not to jump; -1 and 0 for none."""
+    as the one that shares most; shares: of the border that is smooth, of the smooth border that is
+    the label's, of the border across which curvature is seen not to jump there. -1 and 0 for none.
+    """
     own = label[facets[0]]
     neighbour = graph.neighbour[facets]
     other = np.where(neighbour >= 0, label[np.maximum(neighbour, 0)], -1)
@@ -127,7 +137,7 @@ def _host(
     # A facet that is folded over lies in the region beside it all the same.
     smooth = border & (other >= 0) & (np.minimum(turn, np.pi - turn) < SMOOTH)
     if not smooth.any():
-        return -1, 0.0, 0.0
+        return -1, 0.0, 0.0, 0.0
     total = np.bincount(other[smooth], length[smooth])
     # Another piece may share more of the border: it is the larger region that is continued.
     hosts = np.flatnonzero(total >= 0.5 * total.max())
@@ -135,15 +145,15 @@ def _host(
     host = int(hosts[np.argmax(size[hosts])])
     around = max(float(length[border].sum()), 1e-300)
     seen = float(length[goes_on[facets] & (other == host)].sum())
-    return host, float(total.sum()) / around, seen / around
+    smoothly = float(total.sum())
+    return host, smoothly / around, float(total[host]) / smoothly, seen / around
 
 
-def _near(mesh: Mesh, host: Grown, facets: IntArray) -> bool:
-    """Whether facets lie near the host's surface, for their size."""
+def _far(mesh: Mesh, host: Grown, facets: IntArray) -> tuple[float, float]:
+    """How far facets' corners are off the host's surface, and how far apart, mm."""
     points = mesh.corners_of(facets).reshape(-1, 3)
     d, _ = distance(host.kind, host.surface[None], points[None])
-    extent = float(np.linalg.norm(np.ptp(points, axis=0)))
-    return float(np.abs(d).max()) <= OFF * extent
+    return float(np.abs(d).max()), float(np.linalg.norm(np.ptp(points, axis=0)))
 
 
 def _names(
