@@ -26,6 +26,7 @@ from gpswb.core.robust.evidence import EXACT, is_exact, sagitta
 from gpswb.core.robust.freeform import dissolve
 from gpswb.core.robust.growth import Grown, fit_facets, flood, stand_off
 from gpswb.core.robust.leftover import label_leftover
+from gpswb.core.robust.one_face import join_faces
 from gpswb.core.robust.polygons import certain_planes, coplanar_polygons
 from gpswb.core.robust.reclaim import reclaim
 from gpswb.core.robust.rejoin import rejoin
@@ -109,8 +110,30 @@ def _nominal_regions(
     for i, grown in enumerate(surfaces):
         label[grown.facets] = i
     label, flat = label_leftover(mesh, graph, first, polygon, label, sigma, tolerances)
-    label = absorb_pieces(mesh, graph, first, label, surfaces, certain[polygon], sigma, tolerances)
+    sure = certain[polygon]
+    label = absorb_pieces(mesh, graph, first, label, surfaces, sure, sigma, tolerances)
+    surfaces, label = _rejoined(mesh, graph, surfaces, label)
+    label = join_faces(mesh, graph, first, label, sure | flat, sigma, tolerances)
     return surfaces, label, flat
+
+
+def _rejoined(
+    mesh: Mesh, graph: FacetGraph, surfaces: list[Grown], label: IntArray
+) -> tuple[list[Grown], IntArray]:
+    """Surfaces and labels after pieces were taken in that lay between those of one surface."""
+    order = np.argsort(label, kind="stable")
+    bounds = np.searchsorted(label[order], np.arange(len(surfaces) + 1))
+    found = [
+        Grown(g.kind, g.surface, order[start:end])
+        for g, start, end in zip(surfaces, bounds[:-1], bounds[1:], strict=True)
+        if end > start
+    ]
+    found = rejoin(mesh, graph, found, TIERS[0] * mesh.diagonal)
+    # The other labels are above those of the surfaces, and these have become no more.
+    out = label.copy()
+    for i, g in enumerate(found):
+        out[g.facets] = i
+    return found, out
 
 
 def simple_surfaces(

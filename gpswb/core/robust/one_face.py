@@ -1,0 +1,113 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Regions that go on in one another without a jump of curvature, and have one symmetry together."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+
+from gpswb.core.initial import InitialPartition
+from gpswb.core.merging import merge_regions
+from gpswb.core.mesh import BoolArray, FloatArray, IntArray, Mesh
+from gpswb.core.robust.curvature_jumps import curvature_jumps
+from gpswb.core.robust.freeform import SMOOTH
+from gpswb.core.robust.leftover import classes_of
+from gpswb.core.robust.topology import FacetGraph
+from gpswb.core.tolerances import Tolerances
+
+SEEN = 0.5
+"""Share of a common border across which curvature must be seen not to jump."""
+
+
+def join_faces(
+    mesh: Mesh,
+    graph: FacetGraph,
+    first: InitialPartition,
+    label: IntArray,
+    sure: BoolArray,
+    sigma: float,
+    tolerances: Tolerances,
+) -> IntArray:
+    """Join neighbours of one class that keep it together.
+
+    A face is found in pieces where none of them was known exactly. Between faces that join
+    smoothly curvature jumps; between the pieces of one it does not.
+
+    Args:
+        mesh: the mesh.
+        graph: its adjacency.
+        first: the first step's result.
+        label: (m,) region of each facet, -1 for none.
+        sure: (m,) facets that stay what they are: those of certain planes.
+        sigma: noise of the vertices, mm.
+        tolerances: thresholds of recognition.
+
+    Returns:
+        (m,) labels, with gaps; new ones where regions were joined.
+    """
+    a, b = graph.pairs.T
+    smooth = np.abs(graph.pair_dihedral) < SMOOTH
+    border = smooth & (label[a] != label[b]) & (label[a] >= 0) & (label[b] >= 0)
+    rim = np.flatnonzero(border & ~sure[a] & ~sure[b])
+    if not len(rim):
+        return label
+    _, none = curvature_jumps(mesh, graph, rim, graph.sides(np.flatnonzero(smooth)))
+    length = np.linalg.norm(np.diff(mesh.vertices[graph.pair_edges[rim]], axis=1)[:, 0], axis=1)
+    used, ends = np.unique(label[graph.pairs[rim]], return_inverse=True)
+    ends = ends.reshape(-1, 2)
+    number = np.full(len(label), -1, dtype=np.int64)
+    inside = np.isin(label, used)
+    number[inside] = np.searchsorted(used, label[inside])
+
+    def classes(region: IntArray) -> list[str]:
+        return list(classes_of(mesh, region, first.crease, sigma, tolerances))
+
+    rule = _OneClass(ends, none * length, length, number, classes)
+    kept = merge_regions(len(used), ends, rule, SEEN)
+    # What was joined lies on no surface known so far.
+    joined = np.bincount(kept, minlength=len(used)) > 1
+    name = np.where(joined[kept], int(label.max()) + 1 + kept, used)
+    out = label.copy()
+    out[inside] = name[number[inside]]
+    return out
+
+
+class _OneClass:
+    """Likeness of regions: share of their border that is none, if their union has the class that
+    both have; else 0 (a ``MergeRule``)."""
+
+    def __init__(
+        self,
+        ends: IntArray,
+        seen: FloatArray,
+        length: FloatArray,
+        region: IntArray,
+        classes: Callable[[IntArray], list[str]],
+    ) -> None:
+        self._ends, self._seen, self._length = ends, seen, length
+        self._region, self._classes = region, classes
+        self._name = classes(region)
+        self._count = len(self._name)
+
+    def score(self, first: IntArray, second: IntArray) -> FloatArray:
+        return np.array(
+            [self._likeness(a, b) for a, b in zip(first.tolist(), second.tolist(), strict=True)]
+        )
+
+    def join(self, kept: IntArray, gone: IntArray) -> None:
+        now = np.arange(self._count)
+        now[gone] = kept
+        self._ends = now[self._ends]
+        self._region = np.where(self._region >= 0, now[self._region], -1)
+
+    def _likeness(self, a: int, b: int) -> float:
+        if self._name[a] != self._name[b]:
+            return 0.0
+        common = ((self._ends == a) | (self._ends == b)).all(axis=1)
+        common &= self._ends[:, 0] != self._ends[:, 1]
+        share = self._seen[common].sum() / max(float(self._length[common].sum()), 1e-300)
+        if share < SEEN:
+            return 0.0
+        trial = np.where((self._region == a) | (self._region == b), 0, -1)
+        return float(share) if self._classes(trial) == [self._name[a]] else 0.0
