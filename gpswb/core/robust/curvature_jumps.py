@@ -9,8 +9,8 @@ from gpswb.core.mesh import BoolArray, FloatArray, IntArray, Mesh
 from gpswb.core.robust.patches import rings_of, vertices_of_rows
 from gpswb.core.robust.topology import FacetGraph
 
-RINGS = 3
-"""Steps from an edge to the facets whose vertices are fitted: some twenty for eleven unknowns."""
+RINGS = 4
+"""Steps from an edge to the facets whose vertices are fitted: some thirty for eleven unknowns."""
 
 SPARE = 3
 """Vertices beyond the unknowns, below which nothing is said of an edge."""
