@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -84,29 +85,33 @@ def absorb_pieces(
     for _ in range(ROUNDS):
         size = np.bincount(out[out >= 0], minlength=len(kept))
         pieces = np.flatnonzero((size > 0) & ~kept)
-        names = None
+        names: dict[int, str] = {}
         moved = False
         for piece in pieces[np.argsort(size[pieces], kind="stable")]:
             facets = np.flatnonzero(out == piece)
-            host, share, only, seen = _host(mesh, graph, out, facets, goes_on)
-            if share < TOUCH or (out == host).sum() < 2 * len(facets):
-                continue
-            piecemeal = share >= SHARE and (size[piece] < few or chance[piece])
-            piecemeal |= seen >= SHARE
-            if host < len(surfaces):
-                far, extent = _far(mesh, surfaces[host], facets)
-                fits = piecemeal and far <= OFF * extent
-                fits |= (only >= ALONE or share >= SHARE) and far <= EDGES * mesh.diagonal
-            else:
-                if names is None:
-                    names = _names(mesh, first, out, len(surfaces), sigma, tolerances)
-                if names[host] == "complex":
-                    fits = piecemeal
+            for host in _hosts(mesh, graph, out, facets, goes_on, surfaces):
+                if host.smooth < TOUCH or host.size < 2 * len(facets):
+                    continue
+                piecemeal = host.smooth >= SHARE and (size[piece] < few or chance[piece])
+                piecemeal |= host.seen >= SHARE
+                if host.number < len(surfaces):
+                    fits = piecemeal and host.far <= OFF * host.extent
+                    near = host.far <= EDGES * mesh.diagonal
+                    fits |= near and (host.only >= ALONE or host.smooth >= SHARE)
                 else:
-                    fits = _keeps(mesh, first, out, host, facets, names[host], sigma, tolerances)
-            if fits:
-                out[facets] = host
-                moved = True
+                    if not names:
+                        names = _names(mesh, first, out, len(surfaces), sigma, tolerances)
+                    name = names[host.number]
+                    fits = piecemeal
+                    if name != "complex":
+                        union = np.where(out == host.number, 0, -1)
+                        union[facets] = 0
+                        found = classes_of(mesh, union, first.crease, sigma, tolerances)
+                        fits = bool(found[0] == name)
+                if fits:
+                    out[facets] = host.number
+                    moved = True
+                    break
         if not moved:
             break
     return out
@@ -120,13 +125,39 @@ def _goes_on(mesh: Mesh, graph: FacetGraph, label: IntArray) -> BoolArray:
     return graph.sides(rim[none])
 
 
-def _host(
-    mesh: Mesh, graph: FacetGraph, label: IntArray, facets: IntArray, goes_on: BoolArray
-) -> tuple[int, float, float, float]:
-    """The largest label that facets smoothly continue into, of those that share half as much border
-    as the one that shares most; shares: of the border that is smooth, of the smooth border that is
-    the label's, of the border across which curvature is seen not to jump there. -1 and 0 for none.
+@dataclass(frozen=True)
+class _Host:
+    """A region that a piece may be of.
+
+    Args:
+        number: its label.
+        size: its facets.
+        smooth: share of the piece's border that is smooth.
+        only: share of that which is with this region.
+        seen: share of the piece's border with it across which curvature is seen not to jump.
+        far: how far the piece's corners are off its surface, mm; infinite where it has none.
+        extent: how far they are apart, mm.
     """
+
+    number: int
+    size: int
+    smooth: float
+    only: float
+    seen: float
+    far: float
+    extent: float
+
+
+def _hosts(
+    mesh: Mesh,
+    graph: FacetGraph,
+    label: IntArray,
+    facets: IntArray,
+    goes_on: BoolArray,
+    surfaces: Sequence[Grown],
+) -> list[_Host]:
+    """The labels that facets smoothly continue into, of those that share half as much border as the
+    one that shares most: that with the nearest surface first, then the largest."""
     own = label[facets[0]]
     neighbour = graph.neighbour[facets]
     other = np.where(neighbour >= 0, label[np.maximum(neighbour, 0)], -1)
@@ -137,23 +168,30 @@ def _host(
     # A facet that is folded over lies in the region beside it all the same.
     smooth = border & (other >= 0) & (np.minimum(turn, np.pi - turn) < SMOOTH)
     if not smooth.any():
-        return -1, 0.0, 0.0, 0.0
+        return []
     total = np.bincount(other[smooth], length[smooth])
-    # Another piece may share more of the border: it is the larger region that is continued.
-    hosts = np.flatnonzero(total >= 0.5 * total.max())
-    size = np.bincount(label[label >= 0])
-    host = int(hosts[np.argmax(size[hosts])])
     around = max(float(length[border].sum()), 1e-300)
-    seen = float(length[goes_on[facets] & (other == host)].sum())
-    smoothly = float(total.sum())
-    return host, smoothly / around, float(total[host]) / smoothly, seen / around
-
-
-def _far(mesh: Mesh, host: Grown, facets: IntArray) -> tuple[float, float]:
-    """How far facets' corners are off the host's surface, and how far apart, mm."""
-    points = mesh.corners_of(facets).reshape(-1, 3)
-    d, _ = distance(host.kind, host.surface[None], points[None])
-    return float(np.abs(d).max()), float(np.linalg.norm(np.ptp(points, axis=0)))
+    points = corners.reshape(-1, 3)
+    extent = float(np.linalg.norm(np.ptp(points, axis=0)))
+    hosts = []
+    # Another piece may share more of the border: it is the larger region that is continued.
+    for number in np.flatnonzero(total >= 0.5 * total.max()).tolist():
+        far = np.inf
+        if number < len(surfaces):
+            g = surfaces[number]
+            far = float(np.abs(distance(g.kind, g.surface[None], points[None])[0]).max())
+        hosts.append(
+            _Host(
+                number=number,
+                size=int((label == number).sum()),
+                smooth=float(total.sum()) / around,
+                only=float(total[number] / total.sum()),
+                seen=float(length[goes_on[facets] & (other == number)].sum()) / around,
+                far=far,
+                extent=extent,
+            )
+        )
+    return sorted(hosts, key=lambda host: (host.far, -host.size))
 
 
 def _names(
@@ -171,19 +209,3 @@ def _names(
     local[inside] = np.searchsorted(used, label[inside])
     names = classes_of(mesh, local, first.crease, sigma, tolerances)
     return dict(zip(used.tolist(), names.tolist(), strict=True))
-
-
-def _keeps(
-    mesh: Mesh,
-    first: InitialPartition,
-    label: IntArray,
-    host: int,
-    facets: IntArray,
-    name: str,
-    sigma: float,
-    tolerances: Tolerances,
-) -> bool:
-    """Whether a host with facets added has the class that it has without."""
-    trial = np.where(label == host, 0, -1)
-    trial[facets] = 0
-    return bool(classes_of(mesh, trial, first.crease, sigma, tolerances)[0] == name)
