@@ -11,6 +11,9 @@ from gpswb.core.blocks import blocks
 from gpswb.core.facet_edges import edges_of_sides, heights_across
 from gpswb.core.mesh import BoolArray, FloatArray, IntArray, Mesh
 from gpswb.core.reference import axis_frame, spread
+from gpswb.core.robust.hypotheses import explain
+from gpswb.core.robust.patches import patches_around
+from gpswb.core.robust.topology import FacetGraph
 
 SAMPLES = 1000
 """Vertices around which surfaces are fitted: the estimate's own scatter is below one percent."""
@@ -29,6 +32,9 @@ of twelve triangles has no vertex inside a face, but 6 of its 18 edges are such.
 
 EXACT = 0.02
 """Share of the fits that are exact, from which there is no noise: noise leaves none exact."""
+
+PATCHES = 256
+"""Patches that are fitted by simple surfaces."""
 
 QUARTER = 0.25
 """Share of the fits that leave nothing but shape, from which there is no noise."""
@@ -70,9 +76,22 @@ def estimate_noise(mesh: Mesh) -> float:
     if sigma <= ROUNDING * mesh.diagonal:
         bent = Mesh(mesh.vertices, mesh.triangles[_bent(mesh)])
         sigma = _estimate(bent, mesh.diagonal)
-        if not 10.0 * ROUNDING * mesh.diagonal < sigma < MILD * mesh.diagonal:
+        mild = 10.0 * ROUNDING * mesh.diagonal < sigma < MILD * mesh.diagonal
+        if not mild or _has_exact_patches(bent):
             return 0.0
     return sigma
+
+
+def _has_exact_patches(mesh: Mesh) -> bool:
+    """Whether small patches of a mesh lie on cylinders, cones, spheres or tori to rounding, which
+    noise leaves none; where facets turn by much, no polynomial shows that."""
+    graph = FacetGraph.of(mesh)
+    seeds = spread(len(mesh.triangles), PATCHES)
+    passable = (graph.neighbour >= 0) & (np.abs(graph.dihedral) < BENT[1])
+    patches = patches_around(mesh, graph, seeds, passable, 2)
+    count = (patches.facets >= 0).sum(axis=1)
+    found, _ = explain(mesh, patches, count, 1e-7 * mesh.diagonal)
+    return len(found) >= EXACT * len(seeds)
 
 
 def _bent(mesh: Mesh) -> BoolArray:

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 import numpy as np
 import pytest
-from analytic_meshes import box, capped_cylinder, cone, cylinder, plane, sphere, torus
+from analytic_meshes import box, capped_cylinder, cone, cylinder, plane, sphere, torus, weld
 
 from gpswb.core.mesh import Mesh
 from gpswb.core.noise import estimate_noise
@@ -43,14 +43,27 @@ def test_a_block_of_few_triangles_has_none(n: int) -> None:
     assert estimate_noise(box(n=n)) == 0.0
 
 
-def test_exact_planes_do_not_hide_a_rough_wall() -> None:
+def rough_wall() -> Mesh:
+    """A cylinder with exact caps whose wall is off by 1e-4 of the diagonal."""
     mesh = capped_cylinder(nu=72, nv=24)
     x, y, z = mesh.vertices.T
     inner = (z > 0.0) & (z < z.max())
     roughness = 1e-4 * mesh.diagonal * np.random.default_rng(0).normal(size=len(x))
     radial = 1.0 + np.where(inner, roughness / np.maximum(np.hypot(x, y), 1e-9), 0.0)
-    rough = Mesh(np.column_stack([x * radial, y * radial, z]), mesh.triangles)
-    assert estimate_noise(rough) == pytest.approx(1e-4 * mesh.diagonal, rel=0.1)
+    return Mesh(np.column_stack([x * radial, y * radial, z]), mesh.triangles)
+
+
+def test_exact_planes_do_not_hide_a_rough_wall() -> None:
+    mesh = rough_wall()
+    assert estimate_noise(mesh) == pytest.approx(1e-4 * mesh.diagonal, rel=0.1)
+
+
+def test_where_a_coarse_cylinder_is_exact_nothing_is_noise() -> None:
+    # Three facets a quarter turn: no polynomial fits it. What looks rough beside it is coarse, too.
+    mesh = rough_wall()
+    exact = cylinder(nu=12, nv=8)
+    apart = Mesh(exact.vertices + mesh.diagonal, exact.triangles)
+    assert estimate_noise(weld(mesh, apart)) == 0.0
 
 
 def test_a_mesh_too_small_for_a_fit_has_none() -> None:
