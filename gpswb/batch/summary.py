@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import csv
 import itertools
 import tempfile
 from collections.abc import Iterable, Mapping
@@ -11,6 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from gpswb.batch.columns import COLUMNS
+from gpswb.io.csv_table import CsvTable
 
 CHUNK = 10_000
 """Rows that are in memory at once: there may be millions."""
@@ -28,12 +28,11 @@ def write_summary(directory: Path, rows: Iterable[Mapping[str, Any]]) -> list[st
         draft = Path(scratch)
         with (draft / "summary.csv").open("w", newline="", encoding="utf-8") as file:
             parquet = _parquet(draft / "summary.parquet")
-            table = csv.writer(file, lineterminator="\n")
-            table.writerow(COLUMNS)
+            table = CsvTable(file, COLUMNS)
             waiting = iter(rows)
             while chunk := list(itertools.islice(waiting, CHUNK)):
                 for row in chunk:
-                    table.writerow("" if (v := row.get(key)) is None else v for key in COLUMNS)
+                    table.write(row.get(key) for key in COLUMNS)
                 if parquet:
                     parquet.write_batch(_batch(chunk, parquet.schema))
             if parquet:

@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import csv
 import dataclasses
 import json
 from collections.abc import Sequence
@@ -13,6 +12,7 @@ from gpswb.batch.settings import Settings
 from gpswb.cli.corpus_pictures import draw_kinds, draw_worst_parts
 from gpswb.cli.table import aligned
 from gpswb.errors import OutputError
+from gpswb.io.csv_table import write_csv
 from gpswb.io.whole import write_whole
 from gpswb.report.corpus_markdown import corpus_section, renew_section
 from gpswb.report.corpus_page import corpus_page
@@ -130,22 +130,18 @@ def summary_lines(rows: Sequence[PartRow]) -> list[str]:
 
 
 def _write_parts(path: Path, rows: Sequence[PartRow]) -> None:
-    with path.open("w", newline="", encoding="utf-8") as file:
-        table = csv.writer(file, lineterminator="\n")
-        table.writerow(("file", "status", "message", "seconds", "triangles", *PART_COLUMNS))
-        for row in rows:
-            triangles = row.document["mesh"]["triangles"] if row.document else ""
-            figures = ("" if (v := row.figures.get(k)) is None else v for k in PART_COLUMNS)
-            said = (row.name, row.status, row.message, f"{row.seconds:.2f}", triangles)
-            table.writerow((*said, *figures))
+    header = ("file", "status", "message", "seconds", "triangles", *PART_COLUMNS)
+    write_csv(path, header, map(_part, rows))
+
+
+def _part(row: PartRow) -> tuple[object, ...]:
+    triangles = row.document["mesh"]["triangles"] if row.document else None
+    figures = (row.figures.get(key) for key in PART_COLUMNS)
+    return (row.name, row.status, row.message, f"{row.seconds:.2f}", triangles, *figures)
 
 
 def _write_failures(path: Path, rows: Sequence[PartRow]) -> None:
     columns = ("face", "kind", "wrong_class", "true_class", "class", "surface", "area",
                "triangles", "iou", "region")  # fmt: skip
-    with path.open("w", newline="", encoding="utf-8") as file:
-        table = csv.writer(file, lineterminator="\n")
-        table.writerow(("file", *columns))
-        for row in rows:
-            for failure in row.figures.get("failures", ()):
-                table.writerow((row.name, *(failure[column] for column in columns)))
+    failures = ((row.name, f) for row in rows for f in row.figures.get("failures", ()))
+    write_csv(path, ("file", *columns), ((name, *(f[c] for c in columns)) for name, f in failures))

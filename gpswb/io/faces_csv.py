@@ -3,10 +3,10 @@
 
 from __future__ import annotations
 
-import csv
 from collections.abc import Sequence
 from pathlib import Path
 
+from gpswb.io.csv_table import write_csv
 from gpswb.validation.face_result import FaceResult
 
 COLUMNS = (
@@ -30,22 +30,20 @@ def write_faces(path: Path, faces: Sequence[FaceResult]) -> None:
     Raises:
         OSError: the file can't be written.
     """
-    with path.open("w", newline="", encoding="utf-8") as file:
-        table = csv.writer(file, lineterminator="\n")
-        table.writerow(COLUMNS)
-        for face in faces:
-            table.writerow(
-                (
-                    face.name,
-                    face.invariance_class or "",
-                    face.true_class or "",
-                    "yes" if face.agrees else "no" if face.disagrees else "",
-                    face.surface,
-                    f"{face.area:.9g}",
-                    f"{face.share:.6f}",
-                    face.triangles,
-                    " ".join(map(str, face.regions)),
-                    " ".join(face.undecided),
-                    "yes" if face.ambiguous else "no",
-                )
-            )
+    write_csv(path, COLUMNS, map(_row, faces))
+
+
+def _row(face: FaceResult) -> tuple[object, ...]:
+    return (
+        face.name,
+        face.invariance_class,
+        face.true_class,
+        "yes" if face.agrees else "no" if face.disagrees else "",
+        face.surface,
+        f"{face.area:.9g}",
+        f"{face.share:.6f}",
+        face.triangles,
+        " ".join(map(str, face.regions)),
+        " ".join(face.undecided),
+        "yes" if face.ambiguous else "no",
+    )

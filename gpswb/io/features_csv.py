@@ -3,12 +3,12 @@
 
 from __future__ import annotations
 
-import csv
 from collections.abc import Iterable, Sequence
 from pathlib import Path
 
 from gpswb.gps.annotation import Annotation
 from gpswb.gps.gps_feature import GpsFeature
+from gpswb.io.csv_table import write_csv
 
 FEATURES = (
     "id",
@@ -57,7 +57,7 @@ def write_features_csv(path: Path, annotation: Annotation) -> None:
         for feature in datum.features:
             letters.setdefault(feature.id, datum.name)
     rows = [_feature(f, letters.get(f.id, "")) for f in annotation.table.features]
-    _write(path, FEATURES, rows)
+    write_csv(path, FEATURES, rows)
 
 
 def write_specifications_csv(path: Path, annotation: Annotation) -> None:
@@ -84,7 +84,7 @@ def write_specifications_csv(path: Path, annotation: Annotation) -> None:
         for feature in annotation.table.features
         for row in annotation.permitted[feature.id]
     ]
-    _write(path, PERMITTED, rows)
+    write_csv(path, PERMITTED, rows)
 
 
 def _feature(feature: GpsFeature, letter: str) -> Sequence[object]:
@@ -115,10 +115,3 @@ def _feature(feature: GpsFeature, letter: str) -> Sequence[object]:
 def _numbers(values: Iterable[float]) -> str:
     # Rounding leaves 1e-17 and -0, which say nothing.
     return " ".join(f"{round(value, 12) + 0.0:.9g}" for value in values)
-
-
-def _write(path: Path, header: Sequence[str], rows: Iterable[Sequence[object]]) -> None:
-    with path.open("w", newline="", encoding="utf-8") as file:
-        table = csv.writer(file, lineterminator="\n")
-        table.writerow(header)
-        table.writerows(rows)

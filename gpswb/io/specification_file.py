@@ -14,6 +14,7 @@ from typing import Any
 
 from gpswb.errors import InputError
 from gpswb.gps.specified import SpecificationRow
+from gpswb.io.csv_table import write_csv
 
 COLUMNS = ("feature", "characteristic", "value", "datums", "modifiers", "upper", "lower", "fit")
 _NUMBERS = ("value", "upper", "lower")
@@ -56,14 +57,14 @@ def write_specifications(path: Path, rows: Iterable[SpecificationRow]) -> None:
     Raises:
         OSError: the file can't be written.
     """
-    with path.open("w", newline="", encoding="utf-8") as file:
-        table = csv.writer(file, lineterminator="\n")
-        table.writerow(COLUMNS)
-        for row in rows:
-            words = {**vars(row), "modifiers": "".join(row.modifiers)}
-            if row.value is None and row.characteristic != "size":
-                words["value"] = "?"
-            table.writerow(["" if words[key] is None else words[key] for key in COLUMNS])
+    write_csv(path, COLUMNS, map(_cells, rows))
+
+
+def _cells(row: SpecificationRow) -> list[object]:
+    words = {**vars(row), "modifiers": "".join(row.modifiers)}
+    if row.value is None and row.characteristic != "size":
+        words["value"] = "?"
+    return [words[key] for key in COLUMNS]
 
 
 def _json(path: Path, text: str) -> list[Mapping[str, Any]]:
