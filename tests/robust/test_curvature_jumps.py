@@ -48,7 +48,7 @@ def jumps(mesh: Mesh) -> tuple[FloatArray, BoolArray, FloatArray]:
     """Jump and whether none is seen for every interior edge, and where its middle lies, u."""
     graph = FacetGraph.of(mesh)
     edges = np.arange(len(graph.pairs))
-    jump, none = curvature_jumps(mesh, graph, edges, graph.sides(edges))
+    jump, none = curvature_jumps(mesh, graph, edges, graph.smooth)
     u = (graph.pair_edges // 17).mean(axis=1) / FACETS
     return jump, none, u
 
@@ -72,7 +72,7 @@ def test_inside_a_smooth_surface_there_is_none(seed: int) -> None:
     freeform = sheet(wave, FACETS, 48)
     graph = FacetGraph.of(freeform)
     edges = np.arange(len(graph.pairs))
-    jump, none = curvature_jumps(freeform, graph, edges, graph.sides(edges))
+    jump, none = curvature_jumps(freeform, graph, edges, graph.smooth)
     assert np.quantile(jump, 0.99) < BORDER
     assert none.mean() > 0.7
 

@@ -4,18 +4,15 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 import numpy as np
 
 from gpswb.core.initial import InitialPartition
 from gpswb.core.mesh import BoolArray, IntArray, Mesh
-from gpswb.core.robust.curvature_jumps import curvature_jumps
 from gpswb.core.robust.evidence import EXACT, sagitta
-from gpswb.core.robust.freeform import SMOOTH
 from gpswb.core.robust.growth import Grown, stand_off, vertices_of
+from gpswb.core.robust.hosts import hosts_of, sides_that_go_on
 from gpswb.core.robust.leftover import classes_of
-from gpswb.core.robust.surfaces import distance
 from gpswb.core.robust.topology import FacetGraph
 from gpswb.core.tolerances import Tolerances
 
@@ -56,9 +53,9 @@ def absorb_pieces(
     """Merge pieces into what they are pieces of.
 
     A piece has few facets, or lies on its surface only by chance, or goes on without a jump of
-    curvature. It goes to the region that it
-    continues smoothly along most of its border, where its vertices lie near that region's surface,
-    or both together keep the motion that the region has, or the region has none.
+    curvature. It goes to the region that it continues smoothly along most of its border, where its
+    vertices lie near that region's surface, or both together keep the motion that the region has,
+    or the region has none.
 
     Args:
         mesh: the mesh.
@@ -81,7 +78,7 @@ def absorb_pieces(
         bend, off = sagitta(mesh, g), stand_off(g, vertices_of(mesh, g.facets))
         kept[i] |= g.kind == "plane" or (bend >= EXACT * off and len(g.facets) >= few)
         chance[i] = bend < CHANCE * off
-    goes_on = _goes_on(mesh, graph, label)
+    goes_on = sides_that_go_on(mesh, graph, label)
     for _ in range(ROUNDS):
         size = np.bincount(out[out >= 0], minlength=len(kept))
         pieces = np.flatnonzero((size > 0) & ~kept)
@@ -89,7 +86,7 @@ def absorb_pieces(
         moved = False
         for piece in pieces[np.argsort(size[pieces], kind="stable")]:
             facets = np.flatnonzero(out == piece)
-            for host in _hosts(mesh, graph, out, facets, goes_on, surfaces):
+            for host in hosts_of(mesh, graph, out, facets, goes_on, surfaces):
                 if host.smooth < TOUCH or host.size < 2 * len(facets):
                     continue
                 piecemeal = host.smooth >= SHARE and (size[piece] < few or chance[piece])
@@ -115,83 +112,6 @@ def absorb_pieces(
         if not moved:
             break
     return out
-
-
-def _goes_on(mesh: Mesh, graph: FacetGraph, label: IntArray) -> BoolArray:
-    """(m, 3) sides at which another label begins and curvature is seen not to jump."""
-    smooth = np.abs(graph.pair_dihedral) < SMOOTH
-    rim = np.flatnonzero(smooth & (label[graph.pairs[:, 0]] != label[graph.pairs[:, 1]]))
-    _, none = curvature_jumps(mesh, graph, rim, graph.sides(np.flatnonzero(smooth)))
-    return graph.sides(rim[none])
-
-
-@dataclass(frozen=True)
-class _Host:
-    """A region that a piece may be of.
-
-    Args:
-        number: its label.
-        size: its facets.
-        smooth: share of the piece's border that is smooth.
-        only: share of that which is with this region.
-        seen: share of the piece's border with it across which curvature is seen not to jump.
-        far: how far the piece's corners are off its surface, mm; infinite where it has none.
-        extent: how far they are apart, mm.
-    """
-
-    number: int
-    size: int
-    smooth: float
-    only: float
-    seen: float
-    far: float
-    extent: float
-
-
-def _hosts(
-    mesh: Mesh,
-    graph: FacetGraph,
-    label: IntArray,
-    facets: IntArray,
-    goes_on: BoolArray,
-    surfaces: Sequence[Grown],
-) -> list[_Host]:
-    """The labels that facets smoothly continue into, of those that share half as much border as the
-    one that shares most: that with the nearest surface first, then the largest."""
-    own = label[facets[0]]
-    neighbour = graph.neighbour[facets]
-    other = np.where(neighbour >= 0, label[np.maximum(neighbour, 0)], -1)
-    border = other != own
-    corners = mesh.corners_of(facets)
-    length = np.linalg.norm(corners[:, [1, 2, 0]] - corners, axis=2)
-    turn = np.abs(graph.dihedral[facets])
-    # A facet that is folded over lies in the region beside it all the same.
-    smooth = border & (other >= 0) & (np.minimum(turn, np.pi - turn) < SMOOTH)
-    if not smooth.any():
-        return []
-    total = np.bincount(other[smooth], length[smooth])
-    around = max(float(length[border].sum()), 1e-300)
-    points = corners.reshape(-1, 3)
-    extent = float(np.linalg.norm(np.ptp(points, axis=0)))
-    hosts = []
-    # Another piece may share more of the border: it is the larger region that is continued.
-    for number in np.flatnonzero(total >= 0.5 * total.max()).tolist():
-        far = np.inf
-        if number < len(surfaces):
-            g = surfaces[number]
-            far = float(np.abs(distance(g.kind, g.surface[None], points[None])[0]).max())
-        hosts.append(
-            _Host(
-                number=number,
-                size=int((label == number).sum()),
-                smooth=float(total.sum()) / around,
-                only=float(total[number] / total.sum()),
-                seen=float(length[goes_on[facets] & (other == number)].sum()) / around,
-                far=far,
-                extent=extent,
-            )
-        )
-    return sorted(hosts, key=lambda host: (host.far, -host.size))
 
 
 def _names(

@@ -23,17 +23,23 @@ SURE = 3.0
 """Standard errors that are taken off a jump."""
 
 FADE = 1.5
-"""Vertices at the rim of the stencil weigh exp(-FADE) of those at the edge."""
+"""Vertices at the rim of the stencil weigh exp(-FADE) of those at the edge: enough to fix the
+cubic, too little for a second border there to pass for a jump here."""
 
 FLATTEST = 1e-3
-"""Least curvature that a jump is compared with, as share of 1 / diagonal."""
+"""Least curvature that a jump is compared with, as share of 1 / diagonal: a chord across the whole
+part would be 1e-4 of it off such a surface, and less is not bent."""
+
+RIDGE = 1e-10
+"""Added to the normal equations, in units of a vertex: a term that the vertices leave open stays
+finite, and its standard error large."""
 
 BLOCK = 1024
 """Edges fitted together."""
 
 
 def curvature_jumps(
-    mesh: Mesh, graph: FacetGraph, edges: IntArray, passable: BoolArray
+    mesh: Mesh, graph: FacetGraph, edges: IntArray, joined: BoolArray
 ) -> tuple[FloatArray, BoolArray]:
     """Relative jump of the normal curvature across edges.
 
@@ -45,12 +51,13 @@ def curvature_jumps(
         mesh: the mesh; its vertices lie on their surfaces to rounding.
         graph: its adjacency.
         edges: (k,) numbers of interior edges, as in ``graph.pairs``.
-        passable: (m, 3) edges of facets that the neighbourhood may cross.
+        joined: (e,) pairs of facets that hang together: neighbourhoods don't cross other edges.
 
     Returns:
         (k,) the jump, less what the fit leaves open, over the largest curvature on either side,
         and (k,) whether it is seen to be none: less than ``BORDER`` by a standard error.
     """
+    passable = graph.sides(np.flatnonzero(joined))
     jump, none = np.zeros(len(edges)), np.zeros(len(edges), dtype=bool)
     for start in range(0, len(edges), BLOCK):
         some = slice(start, start + BLOCK)
@@ -80,7 +87,7 @@ def _jumps(
     unknowns = rows.shape[2]
     matrix = np.swapaxes(rows, 1, 2) @ rows
     count = present.sum(axis=1)
-    matrix[:, range(unknowns), range(unknowns)] += 1e-10 * count[:, None]
+    matrix[:, range(unknowns), range(unknowns)] += RIDGE * count[:, None]
     inverse = np.linalg.inv(matrix)
     c = np.einsum("eij,enj,en->ei", inverse, rows, h * weight, optimize=True)
     left = np.einsum("eni,ei->en", rows, c) - h * weight

@@ -8,7 +8,7 @@ import numpy as np
 from gpswb.core.mesh import FloatArray, Mesh
 from gpswb.core.robust.growth import Grown, stand_off, vertices_of
 from gpswb.core.robust.surfaces import distance
-from gpswb.core.robust.topology import FacetGraph
+from gpswb.core.robust.topology import SMOOTH, FacetGraph
 
 LINES = 4
 """Rulings that make a cylinder or cone: any three parallel lines lie on one cylinder."""
@@ -106,7 +106,7 @@ def drifts(mesh: Mesh, graph: FacetGraph, grown: Grown, tolerance: float) -> boo
     inside[grown.facets] = True
     neighbour = graph.neighbour[grown.facets]
     border = (neighbour >= 0) & ~inside[np.maximum(neighbour, 0)]
-    border &= np.abs(graph.dihedral[grown.facets]) < 0.35
+    border &= np.abs(graph.dihedral[grown.facets]) < SMOOTH
     outside = neighbour[border]
     if not len(outside):
         return False

@@ -11,10 +11,7 @@ from gpswb.core.robust.evidence import is_exact
 from gpswb.core.robust.growth import Grown
 from gpswb.core.robust.smooth_parts import smooth_parts
 from gpswb.core.robust.strips import few_polygons
-from gpswb.core.robust.topology import FacetGraph
-
-SMOOTH = 0.35
-"""Turning angle (rad) below which a border may be one within a freeform surface."""
+from gpswb.core.robust.topology import SMOOTH, FacetGraph
 
 SHARE = 0.4
 """Share of a weak region's border that smoothly continues into unexplained facets, above which the
@@ -73,7 +70,7 @@ def dissolve(
 
 def _goes_on(mesh: Mesh, graph: FacetGraph, open_: BoolArray) -> BoolArray:
     """(m, 3) edges between open facets across which curvature is seen not to jump."""
-    joined = open_[graph.pairs].all(axis=1) & (np.abs(graph.pair_dihedral) < SMOOTH)
+    joined = open_[graph.pairs].all(axis=1) & graph.smooth
     part, seen = smooth_parts(mesh, graph, joined)
     within = seen & (part[graph.pairs[:, 0]] == part[graph.pairs[:, 1]])
     return graph.sides(np.flatnonzero(within))

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -150,6 +151,17 @@ def stand_off(grown: Grown, points: FloatArray) -> float:
     in what lies beside its surface, which says nothing of the rest."""
     offset = distance(grown.kind, grown.surface[None], points[None])[0][0]
     return float(np.median(np.abs(offset))) / 0.6745
+
+
+def regions_of(label: IntArray, surfaces: Sequence[Grown]) -> list[Grown]:
+    """The surfaces with the facets that have their numbers as (m,) labels, where there are any."""
+    order = np.argsort(label, kind="stable")
+    bounds = np.searchsorted(label[order], np.arange(len(surfaces) + 1))
+    return [
+        Grown(g.kind, g.surface, order[start:end])
+        for g, start, end in zip(surfaces, bounds[:-1], bounds[1:], strict=True)
+        if end > start
+    ]
 
 
 def vertices_of(mesh: Mesh, facets: IntArray) -> FloatArray:

@@ -7,11 +7,11 @@ from collections.abc import Callable
 
 import numpy as np
 
+from gpswb.core.facet_edges import edge_lengths
 from gpswb.core.initial import InitialPartition
 from gpswb.core.merging import merge_regions
 from gpswb.core.mesh import BoolArray, FloatArray, IntArray, Mesh
 from gpswb.core.robust.curvature_jumps import curvature_jumps
-from gpswb.core.robust.freeform import SMOOTH
 from gpswb.core.robust.leftover import classes_of
 from gpswb.core.robust.topology import FacetGraph
 from gpswb.core.tolerances import Tolerances
@@ -47,13 +47,12 @@ def join_faces(
         (m,) labels, with gaps; new ones where regions were joined.
     """
     a, b = graph.pairs.T
-    smooth = np.abs(graph.pair_dihedral) < SMOOTH
-    border = smooth & (label[a] != label[b]) & (label[a] >= 0) & (label[b] >= 0)
+    border = graph.smooth & (label[a] != label[b]) & (label[a] >= 0) & (label[b] >= 0)
     rim = np.flatnonzero(border & ~sure[a] & ~sure[b])
     if not len(rim):
         return label
-    _, none = curvature_jumps(mesh, graph, rim, graph.sides(np.flatnonzero(smooth)))
-    length = np.linalg.norm(np.diff(mesh.vertices[graph.pair_edges[rim]], axis=1)[:, 0], axis=1)
+    _, none = curvature_jumps(mesh, graph, rim, graph.smooth)
+    length = edge_lengths(mesh, rim)
     used, ends = np.unique(label[graph.pairs[rim]], return_inverse=True)
     ends = ends.reshape(-1, 2)
     number = np.full(len(label), -1, dtype=np.int64)

@@ -18,26 +18,19 @@ from gpswb.core.projection import number_facet_regions
 from gpswb.core.recognition import always, recognise
 from gpswb.core.region_samples import confined_normals, region_samples
 from gpswb.core.robust.absorb import absorb_pieces
-from gpswb.core.robust.competition import compete
-from gpswb.core.robust.consensus import find_surfaces
 from gpswb.core.robust.decide import by_gap, unless_far_better
 from gpswb.core.robust.describe import describe_surface
-from gpswb.core.robust.evidence import EXACT, is_exact, sagitta
-from gpswb.core.robust.freeform import dissolve
-from gpswb.core.robust.growth import Grown, fit_facets, flood, stand_off
+from gpswb.core.robust.evidence import EXACT, sagitta
+from gpswb.core.robust.growth import Grown, fit_facets, regions_of, stand_off
 from gpswb.core.robust.leftover import label_leftover
 from gpswb.core.robust.one_face import join_faces
 from gpswb.core.robust.polygons import certain_planes, coplanar_polygons
-from gpswb.core.robust.reclaim import reclaim
 from gpswb.core.robust.rejoin import rejoin
+from gpswb.core.robust.simple_surfaces import TIERS, simple_surfaces
 from gpswb.core.robust.surfaces import Kind
 from gpswb.core.robust.topology import FacetGraph
 from gpswb.core.stages import Progress, StageClock
 from gpswb.core.tolerances import Tolerances
-
-TIERS: tuple[float, ...] = (1e-7, 1e-5)
-"""Distances that count as none, as shares of the diagonal, tried one after the other: analytic
-surfaces hold to rounding, approximated ones only to their modelling tolerance."""
 
 CLASS_OF: dict[Kind, InvarianceClass] = {
     "plane": "planar",
@@ -121,91 +114,12 @@ def _rejoined(
     mesh: Mesh, graph: FacetGraph, surfaces: list[Grown], label: IntArray
 ) -> tuple[list[Grown], IntArray]:
     """Surfaces and labels after pieces were taken in that lay between those of one surface."""
-    order = np.argsort(label, kind="stable")
-    bounds = np.searchsorted(label[order], np.arange(len(surfaces) + 1))
-    found = [
-        Grown(g.kind, g.surface, order[start:end])
-        for g, start, end in zip(surfaces, bounds[:-1], bounds[1:], strict=True)
-        if end > start
-    ]
-    found = rejoin(mesh, graph, found, TIERS[0] * mesh.diagonal)
+    found = rejoin(mesh, graph, regions_of(label, surfaces), TIERS[0] * mesh.diagonal)
     # The other labels are above those of the surfaces, and these have become no more.
     out = label.copy()
     for i, g in enumerate(found):
         out[g.facets] = i
     return found, out
-
-
-def simple_surfaces(
-    mesh: Mesh,
-    graph: FacetGraph,
-    polygon: IntArray,
-    certain: BoolArray,
-    initial: IntArray,
-    clock: StageClock,
-) -> list[Grown]:
-    """Planes, cylinders, cones, spheres and tori with the connected facets that prove them."""
-    fine = TIERS[0] * mesh.diagonal
-    whole = mesh.areas > 0.0
-    found: list[Grown] = []
-    smooth = np.zeros(len(whole))
-    for number, tier in enumerate(TIERS):
-        tolerance = tier * mesh.diagonal
-        # What isn't exact yet may be a piece of something larger, which shows at a wider tolerance.
-        weak = [g for g in found if not is_exact(mesh, g)]
-        free = whole & ~certain[polygon]
-        found = [g for g in found if is_exact(mesh, g)]
-        for g in found:
-            free[g.facets] = False
-        found = [_regrow(mesh, graph, g, free, tolerance) for g in found]
-        new = find_surfaces(mesh, graph, free, initial, tolerance, smooth, number == 0)
-        for g in new:
-            free[g.facets] = False
-        found += new + _still_free(weak, free)
-        found = compete(mesh, graph, found, polygon, certain, fine)
-        clock.report("refine", (number + 1) / (len(TIERS) + 1))
-    found = dissolve(mesh, graph, found, polygon, whole & ~certain[polygon])
-    # What the dissolved regions had taken may belong to those that stay.
-    found = compete(mesh, graph, found, polygon, certain, fine)
-    found = reclaim(mesh, graph, found, certain[polygon], fine)
-    found = rejoin(mesh, graph, found, fine)
-    planes = []
-    order = np.argsort(polygon, kind="stable")
-    bounds = np.searchsorted(polygon[order], np.arange(len(certain) + 1))
-    taken = np.zeros(len(whole), dtype=bool)
-    for g in found:
-        taken[g.facets] = True
-    for i in np.flatnonzero(certain):
-        facets = order[bounds[i] : bounds[i + 1]]
-        if taken[facets[0]]:
-            continue
-        planes.append(Grown("plane", fit_facets(mesh, "plane", facets), facets))
-    return planes + found
-
-
-def _still_free(weak: list[Grown], free: BoolArray) -> list[Grown]:
-    """Regions of which most is still free, larger first, without what is not."""
-    kept = []
-    for g in sorted(weak, key=lambda g: -len(g.facets)):
-        own = g.facets[free[g.facets]]
-        if len(own) > 0.7 * len(g.facets):
-            free[own] = False
-            kept.append(Grown(g.kind, g.surface, own))
-    return kept
-
-
-def _regrow(
-    mesh: Mesh, graph: FacetGraph, grown: Grown, free: BoolArray, tolerance: float
-) -> Grown:
-    """Take in the facets that a wider tolerance adds, and mark them as no longer free.
-
-    The surface stays what it is: what is taken in is off it by the tolerance of an edge.
-    """
-    free[grown.facets] = True
-    more = flood(mesh, graph, grown.kind, grown.surface, grown.facets, free, tolerance)
-    facets = np.union1d(grown.facets, more)
-    free[facets] = False
-    return Grown(grown.kind, grown.surface, facets)
 
 
 def _recognise(

@@ -5,11 +5,11 @@ from __future__ import annotations
 
 import numpy as np
 
+from gpswb.core.facet_edges import edge_lengths
 from gpswb.core.mesh import BoolArray, FloatArray, IntArray, Mesh
 from gpswb.core.robust.competition import OUTLYING
 from gpswb.core.robust.curvature_jumps import curvature_jumps
-from gpswb.core.robust.freeform import SMOOTH
-from gpswb.core.robust.growth import Grown, flood, stand_off, vertices_of
+from gpswb.core.robust.growth import Grown, flood, regions_of, stand_off, vertices_of
 from gpswb.core.robust.surfaces import distance
 from gpswb.core.robust.topology import FacetGraph
 
@@ -55,13 +55,7 @@ def reclaim(
     for i, g in enumerate(found):
         outlying[g.facets[far[i]]] = owner[g.facets[far[i]]] == i
     owner[_leaked(mesh, graph, owner, outlying & ~flat)] = -1
-    order = np.argsort(owner, kind="stable")
-    bounds = np.searchsorted(owner[order], np.arange(len(found) + 1))
-    out = []
-    for g, start, end in zip(found, bounds[:-1], bounds[1:], strict=True):
-        if end > start:
-            out.append(Grown(g.kind, g.surface, order[start:end]))
-    return sorted(out, key=lambda g: -len(g.facets))
+    return sorted(regions_of(owner, found), key=lambda g: -len(g.facets))
 
 
 def _leaked(mesh: Mesh, graph: FacetGraph, owner: IntArray, outlying: BoolArray) -> BoolArray:
@@ -70,13 +64,11 @@ def _leaked(mesh: Mesh, graph: FacetGraph, owner: IntArray, outlying: BoolArray)
     Others are off their surface because their edge is, by modelling tolerance.
     """
     a, b = graph.pairs.T
-    smooth = np.abs(graph.pair_dihedral) < SMOOTH
-    within = smooth & outlying[a] & outlying[b] & (owner[a] == owner[b])
+    within = graph.smooth & outlying[a] & outlying[b] & (owner[a] == owner[b])
     piece = graph.components(within, len(owner))
-    rim = np.flatnonzero(smooth & (outlying[a] | outlying[b]) & ~within)
-    everywhere = graph.sides(np.flatnonzero(smooth))
-    jump, _ = curvature_jumps(mesh, graph, rim, everywhere)
-    length = np.linalg.norm(np.diff(mesh.vertices[graph.pair_edges[rim]], axis=1)[:, 0], axis=1)
+    rim = np.flatnonzero(graph.smooth & (outlying[a] | outlying[b]) & ~within)
+    jump, _ = curvature_jumps(mesh, graph, rim, graph.smooth)
+    length = edge_lengths(mesh, rim)
     # Both sides of the rim, seen from each of its facets that is outlying.
     one, other = np.concatenate([a[rim], b[rim]]), np.concatenate([b[rim], a[rim]])
     weight, jumps = np.tile(length, 2), np.tile(np.minimum(jump, 1.0) * length, 2)

@@ -7,7 +7,6 @@ import numpy as np
 
 from gpswb.core.merging import merge_regions
 from gpswb.core.mesh import FloatArray, IntArray, Mesh
-from gpswb.core.robust.freeform import SMOOTH
 from gpswb.core.robust.growth import Grown, fit_facets, stand_off, vertices_of
 from gpswb.core.robust.reclaim import NEARER
 from gpswb.core.robust.topology import FacetGraph
@@ -31,7 +30,7 @@ def rejoin(mesh: Mesh, graph: FacetGraph, found: list[Grown], floor: float) -> l
     owner = np.full(len(mesh.triangles), -1, dtype=np.int64)
     for i, g in enumerate(found):
         owner[g.facets] = i
-    ends = owner[graph.pairs[np.abs(graph.pair_dihedral) < SMOOTH]]
+    ends = owner[graph.pairs[graph.smooth]]
     ends = ends[(ends >= 0).all(axis=1)]
     rule = _OneSurface(mesh, found, floor)
     kept = merge_regions(len(found), ends, rule, 1.0)

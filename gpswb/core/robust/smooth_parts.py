@@ -7,6 +7,7 @@ import numpy as np
 from scipy.sparse import coo_array
 from scipy.sparse.csgraph import connected_components, minimum_spanning_tree
 
+from gpswb.core.facet_edges import edge_lengths
 from gpswb.core.merging import merge_regions
 from gpswb.core.mesh import BoolArray, FloatArray, IntArray, Mesh
 from gpswb.core.robust.curvature_jumps import BORDER, curvature_jumps
@@ -40,10 +41,10 @@ def smooth_parts(mesh: Mesh, graph: FacetGraph, joined: BoolArray) -> tuple[IntA
     """
     m = len(mesh.triangles)
     edges = np.flatnonzero(joined)
-    jump, known = curvature_jumps(mesh, graph, edges, graph.sides(edges))
+    jump, none = curvature_jumps(mesh, graph, edges, joined)
     jump = np.minimum(jump, 1.0)
     seen = np.zeros(len(joined), dtype=bool)
-    seen[edges] = known
+    seen[edges] = none
     touched = np.zeros(len(mesh.vertices), dtype=bool)
     touched[graph.pair_edges[edges[jump > DISTINCT]]] = True
     clear = joined.copy()
@@ -51,17 +52,16 @@ def smooth_parts(mesh: Mesh, graph: FacetGraph, joined: BoolArray) -> tuple[IntA
     core = graph.components(clear, m)
     is_core = np.bincount(core, minlength=m)[core] >= CORE
     label = _watershed(graph.pairs[edges], jump, np.where(is_core, core, -1))
-    names, label = np.unique(label, return_inverse=True)
-    length = np.linalg.norm(np.diff(mesh.vertices[graph.pair_edges[edges]], axis=1)[:, 0], axis=1)
+    count = int(label.max(initial=-1)) + 1
     ends = label[graph.pairs[edges]]
-    rule = _BorderJumps(ends, jump, length, len(names))
-    kept = merge_regions(len(names), ends, rule, 1.0 - BORDER)
+    rule = _BorderJumps(ends, jump, edge_lengths(mesh, edges), count)
+    kept = merge_regions(count, ends, rule, 1.0 - BORDER)
     return kept[label], seen
 
 
 def _watershed(pairs: IntArray, height: FloatArray, core: IntArray) -> IntArray:
-    """(m,) core that each facet is reached from over the lowest edges; where there is none, the
-    number of one of the facets that hang together.
+    """(m,) 0-based basin of each facet: a core, and what is reached from it over the lowest edges;
+    where there is no core, what hangs together.
 
     Args:
         pairs: (k, 2) facets that hang together; ``height`` (k,) of the edge between them.
@@ -86,11 +86,8 @@ def _watershed(pairs: IntArray, height: FloatArray, core: IntArray) -> IntArray:
     forest = coo_array(
         (np.ones(within.sum()), (tree.row[within], tree.col[within])), shape=links.shape
     )
-    tree_of = connected_components(forest, directed=False)[1]
-    name = np.full(root + 1, m, dtype=np.int64)
-    np.minimum.at(name, tree_of[:m], np.arange(m))
-    np.minimum.at(name, tree_of[node], np.arange(m))
-    label: IntArray = name[tree_of[node]]
+    basin = connected_components(forest, directed=False)[1][node]
+    label: IntArray = np.unique(basin, return_inverse=True)[1].reshape(-1)
     return label
 
 

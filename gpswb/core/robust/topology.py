@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 from scipy.sparse import coo_array
@@ -12,6 +13,9 @@ from scipy.sparse.csgraph import connected_components
 from gpswb.core.blocks import blocks
 from gpswb.core.facet_geometry import dot
 from gpswb.core.mesh import BoolArray, FloatArray, IntArray, Mesh
+
+SMOOTH = 0.35
+"""Turning angle (rad) below which a border may be one within a smooth face."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -57,6 +61,12 @@ class FacetGraph:
         graph = coo_array((np.ones(len(p), dtype=np.int8), (p[:, 0], p[:, 1])), shape=(m, m))
         label: IntArray = connected_components(graph, directed=False)[1].astype(np.int64)
         return label
+
+    @cached_property
+    def smooth(self) -> BoolArray:
+        """(e,) pairs between which there is no crease."""
+        smooth: BoolArray = np.abs(self.pair_dihedral) < SMOOTH
+        return smooth
 
     def sides(self, edges: IntArray) -> BoolArray:
         """(m, 3) the sides of facets that are some (k,) edges, numbered as ``pairs``."""
