@@ -1,19 +1,17 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """FreeCAD's own segmentation, from the part to the figures that the comparison shows."""
 
-import importlib.util
 import math
-from pathlib import Path
 
 import FreeCAD  # noqa: F401 - before Part
 import Part
 import pytest
+from benchmark_modules import benchmark_module
 
 from gpswb.cad.density import Density
 from gpswb.cad.read import read_solid
 from gpswb.validation.validate import validate
 
-ROOT = Path(__file__).resolve().parents[2]
 RADIUS, HEIGHT = 5.0, 12.0
 CAPS = 2 * math.pi * RADIUS**2
 WHOLE = CAPS + 2 * math.pi * RADIUS * HEIGHT
@@ -21,10 +19,7 @@ WHOLE = CAPS + 2 * math.pi * RADIUS * HEIGHT
 
 @pytest.fixture(scope="module")
 def segments():
-    spec = importlib.util.spec_from_file_location("segments", ROOT / "benchmarks" / "segments.py")
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    return module
+    return benchmark_module("segments")
 
 
 @pytest.fixture(scope="module")

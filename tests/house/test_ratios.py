@@ -1,20 +1,13 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """``./gps bench`` sees a stage that has become slower, at once or bit by bit."""
 
-import importlib.util
-from pathlib import Path
-
 import pytest
-
-ROOT = Path(__file__).resolve().parents[2]
+from benchmark_modules import benchmark_module
 
 
 @pytest.fixture(scope="module")
 def ratios():
-    spec = importlib.util.spec_from_file_location("ratios", ROOT / "benchmarks" / "ratios.py")
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    return module
+    return benchmark_module("ratios")
 
 
 def test_one_and_a_half_times_is_slower(ratios):

@@ -1,24 +1,17 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """FreeCAD's segments become regions that are validated as gpswb's own are."""
 
-import importlib.util
-from pathlib import Path
-
 import numpy as np
 import pytest
+from benchmark_modules import benchmark_module
 from made_parts import put_together, row_of_squares, truth
 
 from gpswb.validation.validate import validate
 
-ROOT = Path(__file__).resolve().parents[2]
-
 
 @pytest.fixture(scope="module")
 def segments():
-    spec = importlib.util.spec_from_file_location("segments", ROOT / "benchmarks" / "segments.py")
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    return module
+    return benchmark_module("segments")
 
 
 def five_squares():

@@ -14,6 +14,7 @@ from scipy.spatial import cKDTree
 
 from gpswb.core.invariance import InvarianceClass
 from gpswb.core.mesh import FloatArray, IntArray
+from gpswb.core.noisy.least_cost import cheapest
 from gpswb.core.noisy.noisy_mesh import NoisyMesh
 from gpswb.core.reference import axis_frame
 
@@ -109,18 +110,9 @@ def fit_freeform(noisy: NoisyMesh, facets: IntArray) -> Freeform | None:
     normal = np.column_stack([np.bincount(row, weighted[:, i], n) for i in range(3)]).astype(
         np.float64
     )
-    best: Freeform | None = None
-    idle = 0
-    for size in CELLS:
-        if 2 * size > 3 * n and size != CELLS[-1]:
-            continue
-        found = _fitted(mesh.vertices[vertices], normal, edge, size, noisy.sigma)
-        idle = 0 if best is None or found.cost < best.cost else idle + 1
-        if idle == 0:
-            best = found
-        elif idle == PATIENCE:
-            break
-    return best
+    sizes = (size for size in CELLS if 2 * size <= 3 * n or size == CELLS[-1])
+    points = mesh.vertices[vertices]
+    return cheapest((_fitted(points, normal, edge, s, noisy.sigma) for s in sizes), PATIENCE)
 
 
 def _fitted(

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -12,6 +12,7 @@ from scipy.interpolate import BSpline
 from gpswb.core.invariance import InvarianceClass
 from gpswb.core.mesh import FloatArray, IntArray
 from gpswb.core.motion_chart import MotionChart
+from gpswb.core.noisy.least_cost import cheapest
 from gpswb.core.noisy.noisy_mesh import NoisyMesh
 from gpswb.core.noisy.profile_length import profile_length, quotient_gradient
 from gpswb.core.noisy.swept import MOTIONS, OUTSIDE, Swept, profile_coordinates
@@ -116,13 +117,18 @@ def _from(
     noisy: NoisyMesh, facets: IntArray, name: InvarianceClass, reference: Reference, most: float
 ) -> Swept | None:
     """The likeliest surface of a motion that is near a given one."""
+    return cheapest(_finer(noisy, facets, name, reference, most), PATIENCE)
+
+
+def _finer(
+    noisy: NoisyMesh, facets: IntArray, name: InvarianceClass, reference: Reference, most: float
+) -> Iterator[Swept]:
+    """Surfaces of a motion with ever more intervals of the profile, while they can be likelier."""
     vertices, length = profile_length(noisy, facets, name, reference)
     points = noisy.mesh.vertices[vertices]
     some = spread(len(vertices), SAMPLE)
     # Chi-square is that of the noise at least, but for four standard deviations.
     least = len(points) - 4.0 * float(np.sqrt(2.0 * len(points)))
-    best: Swept | None = None
-    idle = 0
     for intervals in INTERVALS:
         price = (MOTIONS[name] + intervals + 3) * float(np.log(len(points)))
         if 3 * (intervals + 3) > len(some) or least + price > most:
@@ -135,15 +141,9 @@ def _from(
         order = np.argsort(length[some], kind="stable")
         start = np.interp(length, length[some][order], along[order])
         chi = _total((_heights(points, start, name, reference, curve) / noisy.sigma) ** 2)
-        swept = Swept(name, reference, curve, 1.0, chi, len(points))
         if intervals > FEW and chi > HOPELESS * len(points):
             break
-        idle = 0 if best is None or swept.cost < best.cost else idle + 1
-        if idle == 0:
-            best = swept
-        elif idle == PATIENCE:
-            break
-    return best
+        yield Swept(name, reference, curve, 1.0, chi, len(points))
 
 
 def _fitted(
