@@ -73,8 +73,8 @@ def show():
 def annotate(partition):
     """Datums of the base, its side and the bore; what the bracket's drawing might say."""
     from gpswb.gui.datums import set_datums
-    from gpswb.gui.objects.partition import effective_result
     from gpswb.gui.part_features import features_of
+    from gpswb.gui.partition_result import effective_result
     from gpswb.gui.specifications import add_specification
 
     table = features_of(effective_result(partition)[0])

@@ -11,8 +11,8 @@ from typing import Any
 from gpswb.gps.annotation import Annotation, annotate
 from gpswb.gui.annotation_rows import specification_rows
 from gpswb.gui.annotation_state import refresh_annotations
-from gpswb.gui.objects.partition import effective_result, stored_datums
 from gpswb.gui.part_features import features_of
+from gpswb.gui.partition_result import effective_result, stored_datums
 
 
 def annotation_of(partition: Any) -> Annotation:

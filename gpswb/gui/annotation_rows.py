@@ -11,7 +11,7 @@ from gpswb.gps.specified import SpecificationRow
 from gpswb.gui.annotation_record import SpecificationRecord
 from gpswb.gui.face_keys import FaceKey, face_keys, find_faces
 from gpswb.gui.objects.annotation import annotations_of, record_of
-from gpswb.gui.objects.partition import effective_result
+from gpswb.gui.partition_result import effective_result
 from gpswb.io.specification_file import specification_row
 from gpswb.io.stored_result import StoredResult
 

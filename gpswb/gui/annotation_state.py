@@ -26,8 +26,8 @@ from gpswb.gui.annotation_rows import UNPLACED, choice_of, faces_now, row_of
 from gpswb.gui.frame_axes import axes_of, placement_of
 from gpswb.gui.frame_places import MARK, FrameView, anchor_on, first_view, frame_places, frame_width
 from gpswb.gui.objects.annotation import annotations_of, record_of
-from gpswb.gui.objects.partition import effective_result
 from gpswb.gui.part_features import features_of
+from gpswb.gui.partition_result import effective_result
 from gpswb.io.stored_result import StoredResult
 
 

@@ -19,8 +19,8 @@ from gpswb.gui.annotation_rows import choice_of, placed_rows
 from gpswb.gui.annotation_state import refresh_annotations
 from gpswb.gui.face_keys import named_faces
 from gpswb.gui.objects.annotation import annotations_of, put_annotation, record_of
-from gpswb.gui.objects.partition import effective_result, stored_datums
 from gpswb.gui.part_features import features_of
+from gpswb.gui.partition_result import effective_result, stored_datums
 
 DatumChoice = tuple[str, Sequence[str]]
 """A letter and the names of its faces."""

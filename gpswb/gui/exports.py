@@ -13,8 +13,8 @@ from gpswb.errors import InputError
 from gpswb.gps.review import review
 from gpswb.gui.annotation import annotation_of
 from gpswb.gui.annotation_rows import specification_rows
-from gpswb.gui.objects.partition import effective_result
 from gpswb.gui.original_file import original_of
+from gpswb.gui.partition_result import effective_result
 from gpswb.gui.pieces import without_pieces
 from gpswb.io.ap242.present import present_pmi
 from gpswb.io.ap242.verified import write_verified_ap242

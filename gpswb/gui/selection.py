@@ -13,12 +13,8 @@ from gpswb.cad.freecad_measured import is_measurement
 from gpswb.errors import InputError
 from gpswb.gui.objects.annotation import is_annotation
 from gpswb.gui.objects.feature import is_feature
-from gpswb.gui.objects.partition import (
-    effective_result,
-    is_partition,
-    partitions,
-    usable_source,
-)
+from gpswb.gui.objects.partition import is_partition, partitions, usable_source
+from gpswb.gui.partition_result import effective_result
 from gpswb.gui.pieces import PIECE
 from gpswb.validation.face_result import faces_and_bodies
 

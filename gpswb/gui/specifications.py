@@ -18,8 +18,8 @@ from gpswb.gui.annotation_rows import choice_of
 from gpswb.gui.annotation_state import refresh_annotations
 from gpswb.gui.face_keys import named_faces
 from gpswb.gui.objects.annotation import put_annotation
-from gpswb.gui.objects.partition import effective_result, stored_datums
 from gpswb.gui.part_features import features_of
+from gpswb.gui.partition_result import effective_result, stored_datums
 from gpswb.io.specification_file import specification_row
 
 

@@ -15,14 +15,8 @@ from gpswb.gui.datums import add_datum, datums_of, set_datums, take_suggestion
 from gpswb.gui.exports import export
 from gpswb.gui.importing import import_part
 from gpswb.gui.objects.annotation import annotations_of
-from gpswb.gui.objects.partition import (
-    effective_result,
-    finish_run,
-    make_partition,
-    partitions,
-    run,
-    start_run,
-)
+from gpswb.gui.objects.partition import finish_run, make_partition, partitions, run, start_run
+from gpswb.gui.partition_result import effective_result
 from gpswb.gui.specifications import add_specification, set_specification
 from gpswb.io.ap242.match import match_faces
 from gpswb.io.ap242.read_pmi import read_pmi

@@ -18,11 +18,11 @@ from gpswb.gui.objects.feature import features
 from gpswb.gui.objects.partition import (
     add_override,
     clear_overrides,
-    effective_result,
     make_partition,
     partitions,
     run,
 )
+from gpswb.gui.partition_result import effective_result
 from gpswb.gui.preferences import PATH
 from gpswb.io.colours import WHEEL
 

@@ -10,9 +10,10 @@ from test_commands import active
 from window import click_in_view, hue_is, picture, pixel_of_face, pixels, settle, wait
 
 from gpswb.gui.objects.feature import features
-from gpswb.gui.objects.partition import effective_result, partitions
+from gpswb.gui.objects.partition import partitions
 from gpswb.gui.panels.legend import show_legend
 from gpswb.gui.panels.show import shown_panel
+from gpswb.gui.partition_result import effective_result
 from gpswb.io.colours import WHEEL
 
 GREEN = (28, 173, 28)

@@ -28,10 +28,9 @@ from gpswb.gui.objects.annotation import animate as animate_annotation
 from gpswb.gui.objects.feature import animate as animate_feature
 from gpswb.gui.objects.feature import sync_features
 from gpswb.gui.objects.stateless import Stateless
-from gpswb.gui.overrides import Action, apply_overrides, from_json, override_on, to_json
-from gpswb.gui.pieces import with_pieces
+from gpswb.gui.overrides import Action, from_json, override_on, to_json
+from gpswb.gui.partition_result import effective_result, keep, read_run
 from gpswb.gui.runs import Run
-from gpswb.io.stored_result import StoredResult, read_stored_result
 
 NOT_RUN, CURRENT, STALE, FAILED = "not run", "up to date", "stale", "failed"
 AS_READ = "as read"
@@ -223,8 +222,8 @@ def finish_run(obj: Any, document: dict[str, Any], labels: Path) -> Iterator[Non
     obj.Result = json.dumps(document)
     yield
     obj.RunKey = run_key(obj)
-    stored = yield from aside(lambda: _read_run(document, labels))
-    _keep(obj, stored)
+    stored = yield from aside(lambda: read_run(document, labels))
+    keep(obj, stored)
     yield from show_result(obj)
 
 
@@ -268,74 +267,6 @@ def run_key(obj: Any) -> str:
     """What the result depends on: density, mode and the part's fingerprint."""
     part = fingerprint(obj.Source) if obj.Source else "none"
     return f"{obj.Density} {obj.Mode} {part}"
-
-
-def stored_result(obj: Any) -> StoredResult:
-    """What the run found, from the mesh alone; see `with_pieces` for a measured part.
-
-    Raises:
-        InputError: there is none yet, or it is damaged.
-    """
-    if not obj.Result or not obj.Labels:
-        raise InputError(f"{obj.Label} has no result yet")
-    known = _read.get(obj.Labels)
-    if known is not None and known[0] == hash(obj.Result):
-        return known[1]
-    try:
-        document = json.loads(obj.Result)
-    except ValueError as error:
-        raise InputError(f"the result of {obj.Label} is damaged ({error})") from None
-    return _keep(obj, _read_run(document, Path(obj.Labels)))
-
-
-def _read_run(document: dict[str, Any], labels: Path) -> StoredResult:
-    stored = with_pieces(read_stored_result(document, labels))
-    # Computed once, at the first use: colours and borders ask for them while the window waits.
-    _ = stored.solid.mesh.areas, stored.solid.mesh.pair_edges
-    return stored
-
-
-def _keep(obj: Any, stored: StoredResult) -> StoredResult:
-    _read.clear()
-    _read[obj.Labels] = hash(obj.Result), stored
-    return stored
-
-
-_read: dict[str, tuple[int, StoredResult]] = {}
-"""The result that was read last, by file and run: it takes a second for a million triangles."""
-
-
-def effective_result(obj: Any) -> tuple[StoredResult, tuple[str, ...]]:
-    """The result with the user's overrides, and notes on those that found no place.
-
-    Raises:
-        InputError: there is none yet, or it is damaged.
-    """
-    stored = stored_result(obj)
-    if _last_effective and _last_effective[0][:2] == (stored, obj.Overrides):
-        return _last_effective[0][2]
-    found = apply_overrides(stored, from_json(obj.Overrides))
-    _last_effective[:] = [(stored, obj.Overrides, found)]
-    return found
-
-
-_last_effective: list[tuple[StoredResult, str, tuple[StoredResult, tuple[str, ...]]]] = []
-"""What was found last: each part of the window asks for it, and a merged region is fitted anew."""
-
-
-def stored_datums(obj: Any) -> tuple[tuple[str, str], ...]:
-    """Letter and choice of each datum that the object names; none means that they are suggested.
-
-    Raises:
-        InputError: the text isn't of the form ``A=Face1,B=Face5+Face6``.
-    """
-    found = []
-    for part in filter(None, (part.strip() for part in obj.Datums.split(","))):
-        letter, equals, choice = (piece.strip() for piece in part.partition("="))
-        if not (equals and choice and letter.isascii() and letter.isupper()):
-            raise InputError(f"{part!r} is no datum; write A=Face1,B=Face5+Face6")
-        found.append((letter, choice))
-    return tuple(found)
 
 
 def add_override(

@@ -18,9 +18,10 @@ from gpswb.gui.facet_selection import follow_selection
 from gpswb.gui.icons import icon
 from gpswb.gui.objects.annotation import annotations_of
 from gpswb.gui.objects.feature import features
-from gpswb.gui.objects.partition import STALE, effective_result, partitions, stored_datums
+from gpswb.gui.objects.partition import STALE, partitions
 from gpswb.gui.objects.stateless import Stateless
 from gpswb.gui.panels.legend import refresh_legend
+from gpswb.gui.partition_result import effective_result, stored_datums
 from gpswb.gui.selection import chosen_faces
 from gpswb.gui.source_colours import restore_colours, show_colours, watch
 

@@ -20,12 +20,12 @@ from gpswb.gui.compat import QtGui, QtWidgets, translate
 from gpswb.gui.frame_picture import frame_picture
 from gpswb.gui.icons import icon
 from gpswb.gui.objects.annotation import record_of
-from gpswb.gui.objects.partition import effective_result
 from gpswb.gui.one_step import one_step
 from gpswb.gui.panels.density import let_shrink
 from gpswb.gui.panels.show import close_panel
 from gpswb.gui.panels.symbol_grid import SIZE, SymbolGrid
 from gpswb.gui.part_features import features_at
+from gpswb.gui.partition_result import effective_result
 from gpswb.gui.selection import chosen_faces, select_faces
 from gpswb.gui.specifications import set_specification
 from gpswb.io.specification_file import specification_row

@@ -15,10 +15,10 @@ from gpswb.gui import compat
 from gpswb.gui.compat import QtGui, QtWidgets, translate
 from gpswb.gui.datums import datums_of, set_datums, suggested_datums
 from gpswb.gui.icons import icon
-from gpswb.gui.objects.partition import effective_result
 from gpswb.gui.one_step import one_step
 from gpswb.gui.panels.show import close_panel
 from gpswb.gui.part_features import features_of
+from gpswb.gui.partition_result import effective_result
 from gpswb.gui.selection import chosen_faces, select_faces
 
 LETTERS = "ABCDEF"

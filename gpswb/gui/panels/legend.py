@@ -11,7 +11,7 @@ import FreeCADGui
 from gpswb.gui import compat
 from gpswb.gui.colouring import Colouring
 from gpswb.gui.compat import QtCore, QtGui, QtWidgets, translate
-from gpswb.gui.objects.partition import effective_result
+from gpswb.gui.partition_result import effective_result
 from gpswb.gui.selection import chosen_partition, select_faces
 
 _OUTER, _INNER = 0.95, 0.45

@@ -14,14 +14,11 @@ from gpswb.gui import compat
 from gpswb.gui.compat import QtGui, QtWidgets, translate
 from gpswb.gui.face_text import face_rows, ranking_rows
 from gpswb.gui.icons import class_icon, icon
-from gpswb.gui.objects.partition import (
-    add_override,
-    clear_overrides,
-    effective_result,
-)
+from gpswb.gui.objects.partition import add_override, clear_overrides
 from gpswb.gui.overrides import Action
 from gpswb.gui.panels.density import let_shrink
 from gpswb.gui.panels.show import close_panel
+from gpswb.gui.partition_result import effective_result
 from gpswb.gui.selection import chosen_faces
 
 

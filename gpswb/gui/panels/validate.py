@@ -8,8 +8,8 @@ from typing import Any
 from gpswb.gui import compat
 from gpswb.gui.compat import QtGui, QtWidgets, translate
 from gpswb.gui.icons import icon
-from gpswb.gui.objects.partition import effective_result
 from gpswb.gui.panels.show import close_panel
+from gpswb.gui.partition_result import effective_result
 from gpswb.gui.selection import select_faces
 
 
