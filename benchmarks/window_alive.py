@@ -110,7 +110,7 @@ def measure():
     panel.accept()
     rest(1)
     heart.doing = "run"
-    wait(lambda: not panel._run or not panel._run.running, 1800)
+    wait(lambda: not panel.change or not panel.change.run.running, 1800)
     ran = time.perf_counter()
     heart.doing = "result into the document"
     wait(lambda: shown_panel() is None, 300)

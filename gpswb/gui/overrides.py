@@ -8,13 +8,16 @@ has changed. It acts on the partition itself, so that colours, tables and export
 from __future__ import annotations
 
 import dataclasses
+import hashlib
 import json
-from collections.abc import Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
+from types import MappingProxyType
 from typing import Any, Literal, get_args
 
 import numpy as np
 
+from gpswb.cad.solid import FaceMap
 from gpswb.core.invariance import CLASSES, InvarianceClass
 from gpswb.core.mesh import IntArray, Mesh
 from gpswb.core.partition import Partition, Region
@@ -25,7 +28,7 @@ from gpswb.core.tolerances import Tolerances
 from gpswb.errors import InputError
 from gpswb.gui.face_keys import FaceKey, face_key, face_keys, find_faces, named_faces
 from gpswb.io.result_json import face_entry, finite, region_entry
-from gpswb.io.stored_result import StoredResult
+from gpswb.io.stored_result import StoredResult, read_region
 from gpswb.validation.face_result import map_back
 
 Action = Literal["merge", "split", "class"]
@@ -77,51 +80,128 @@ def from_json(text: str) -> tuple[Override, ...]:
         raise InputError(f"the stored overrides are damaged ({error})") from None
 
 
+def regions_to_json(described: Mapping[str, Region]) -> str:
+    """The text that a document keeps of regions that were fitted."""
+    entries = {key: finite(region_entry(region, ())) for key, region in described.items()}
+    return json.dumps(entries) if entries else ""
+
+
+def regions_from_json(text: str) -> dict[str, Region]:
+    """Read what `regions_to_json` wrote.
+
+    Raises:
+        InputError: it is damaged.
+    """
+    try:
+        return {key: read_region(entry) for key, entry in json.loads(text or "{}").items()}
+    except (AttributeError, KeyError, TypeError, ValueError) as error:
+        raise InputError(f"the stored overrides are damaged ({error})") from None
+
+
+@dataclass(frozen=True, eq=False)
+class Effective:
+    """A result as the user wants it.
+
+    Args:
+        stored: the result.
+        notes: on overrides that found no place, and on faces that have moved.
+        described: the regions that were fitted for it, by `Group.key`.
+    """
+
+    stored: StoredResult
+    notes: tuple[str, ...]
+    described: Mapping[str, Region]
+
+
 def apply_overrides(
-    stored: StoredResult, overrides: Sequence[Override]
-) -> tuple[StoredResult, tuple[str, ...]]:
-    """The result as the user wants it, and notes on what could not be applied or has moved."""
-    notes: list[str] = []
+    stored: StoredResult,
+    overrides: Sequence[Override],
+    known: Mapping[str, Region] = MappingProxyType({}),
+    tell: Callable[[float], None] = lambda share: None,
+) -> Effective:
+    """The result as the user wants it.
+
+    Args:
+        known: regions that need not be fitted again, from an earlier `Effective`.
+        tell: called with the share of the fits that is done; each may take a second.
+    """
     facemap = stored.solid.facemap
     if not overrides or facemap is None:
-        return stored, ()
+        return Effective(stored, (), {})
+    label, groups, notes = _regrouped(stored, facemap, overrides)
+    regions: dict[int, Region] = dict(enumerate(stored.partition.regions))
+    described = {}
+    for i, group in enumerate(groups):
+        tell(i / len(groups))
+        found = known.get(group.key) or _described(stored.partition, group)
+        described[group.key] = found
+        regions[group.number] = found
+    partition = _renumbered(stored.partition, label, regions)
+    return Effective(_with_partition(stored, partition), tuple(notes), described)
+
+
+@dataclass(frozen=True, eq=False)
+class Group:
+    """Facets that an override makes one region of that number.
+
+    ``key`` tells whether it is the same as one that was described before.
+    """
+
+    number: int
+    facets: IntArray
+    invariance_class: InvarianceClass | None
+    key: str
+
+
+def _regrouped(
+    stored: StoredResult, facemap: FaceMap, overrides: Sequence[Override]
+) -> tuple[IntArray, list[Group], list[str]]:
+    """(m,) number of each facet's region, the regions that are new, and notes."""
+    notes: list[str] = []
     keys = face_keys(stored)
     label = stored.partition.region.copy()
-    regions: dict[int, Region] = dict(enumerate(stored.partition.regions))
+    groups: list[Group] = []
     for each in overrides:
         faces, moved = find_faces(each.faces, keys, stored.solid.mesh.diagonal)
         notes += [f"{each.action}: {note}" for note in moved]
         touched = [np.flatnonzero(facemap.face_of_triangle == face) for face in faces]
         touched = [facets[label[facets] >= 0] for facets in touched]
         if each.action == "split":
-            groups = touched
+            united = touched
         elif each.action == "merge":
-            groups = [np.concatenate(touched)] if len(touched) > 1 else []
+            united = [np.concatenate(touched)] if len(touched) > 1 else []
         else:  # whole regions change their class
             whole = np.unique(label[np.concatenate(touched)]) if touched else np.empty(0, np.int64)
-            groups = [np.flatnonzero(label == number) for number in whole]
-        for facets in groups:
+            united = [np.flatnonzero(label == number) for number in whole]
+        for facets in united:
             if len(facets):
-                number = max(regions) + 1
-                merged = len(np.unique(stored.partition.initial_region[facets]))
-                regions[number] = _described(stored.partition, facets, number, merged, each)
+                number = len(stored.partition.regions) + len(groups)
+                key = _key(stored.partition, facets, each.invariance_class)
+                groups.append(Group(number, facets, each.invariance_class, key))
                 label[facets] = number
-    partition = _renumbered(stored.partition, label, regions)
-    return _with_partition(stored, partition), tuple(notes)
+    return label, groups, notes
 
 
-def _described(
-    partition: Partition, facets: IntArray, number: int, merged: int, override: Override
-) -> Region:
+def _key(partition: Partition, facets: IntArray, given: InvarianceClass | None) -> str:
+    """Hash of all that `_described` depends on."""
+    mesh = partition.mesh
+    found = hashlib.sha256(f"{given} {partition.sigma!r}".encode())
+    found.update(mesh.vertices[mesh.triangles[facets]].tobytes())
+    found.update(partition.initial_region[facets].tobytes())
+    return found.hexdigest()
+
+
+def _described(partition: Partition, group: Group) -> Region:
     """A region of these facets, of the class the user gave or of the one that fits best."""
+    facets, given = group.facets, group.invariance_class
     used, corner = np.unique(partition.mesh.triangles[facets], return_inverse=True)
     mesh = Mesh(partition.mesh.vertices[used], corner.reshape(-1, 3))
     alone = np.zeros(len(facets), dtype=np.int64)
     normals = confined_normals(mesh, alone, feature_edges(mesh))
     (sample,) = region_samples(mesh, alone, 1, normals)
-    given = override.invariance_class
+    merged = len(np.unique(partition.initial_region[facets]))
     choose = by_parsimony if given is None else always(given)
-    region = recognise(number, sample, merged, partition.sigma, Tolerances(), choose=choose)
+    region = recognise(group.number, sample, merged, partition.sigma, Tolerances(), choose=choose)
     return region if given is None else dataclasses.replace(region, undecided=())
 
 

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from gpswb.errors import InputError
-from gpswb.gui.overrides import apply_overrides, from_json
+from gpswb.gui.overrides import Effective, apply_overrides, from_json, regions_from_json
 from gpswb.gui.pieces import with_pieces
 from gpswb.io.stored_result import StoredResult, read_stored_result
 
@@ -56,16 +56,25 @@ def effective_result(obj: Any) -> tuple[StoredResult, tuple[str, ...]]:
     Raises:
         InputError: there is none yet, or it is damaged.
     """
-    stored = stored_result(obj)
-    if _last_effective and _last_effective[0][:2] == (stored, obj.Overrides):
+    found = effective(stored_result(obj), obj.Overrides, obj.Described)
+    return found.stored, found.notes
+
+
+def effective(stored: StoredResult, overrides: str, described: str) -> Effective:
+    """The same from texts that the object keeps, without it: a thread may ask.
+
+    Raises:
+        InputError: they are damaged.
+    """
+    if _last_effective and _last_effective[0][:2] == (stored, overrides):
         return _last_effective[0][2]
-    found = apply_overrides(stored, from_json(obj.Overrides))
-    _last_effective[:] = [(stored, obj.Overrides, found)]
+    found = apply_overrides(stored, from_json(overrides), regions_from_json(described))
+    _last_effective[:] = [(stored, overrides, found)]
     return found
 
 
-_last_effective: list[tuple[StoredResult, str, tuple[StoredResult, tuple[str, ...]]]] = []
-"""What was found last: each part of the window asks for it, and a merged region is fitted anew."""
+_last_effective: list[tuple[StoredResult, str, Effective]] = []
+"""What was found last: each part of the window asks for it."""
 
 
 def stored_datums(obj: Any) -> tuple[tuple[str, str], ...]:

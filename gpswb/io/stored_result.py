@@ -83,10 +83,36 @@ def face_results(document: Mapping[str, Any]) -> tuple[FaceResult, ...]:
     )
 
 
+def read_region(region: Mapping[str, Any]) -> Region:
+    """A region from what `region_entry` made of it.
+
+    Raises:
+        KeyError, TypeError, ValueError: it isn't such an entry.
+    """
+    return Region(
+        id=int(region["id"]),
+        invariance_class=_class(region["class"]),
+        area=_number(region["area"]),
+        triangles=int(region["triangles"]),
+        surface=str(region["surface"]),
+        situation={
+            str(name): [_number(x) for x in value] for name, value in region["situation"].items()
+        },
+        intrinsic={str(name): _number(value) for name, value in region["intrinsic"].items()},
+        residual=_number(region["residual"]),
+        margin=_number(region["margin"]),
+        initial_regions=int(region["initial_regions"]),
+        log_likelihood={
+            _class(name): _number(value) for name, value in region["log_likelihood"].items()
+        },
+        undecided=tuple(_class(name) for name in region["undecided"]),
+    )
+
+
 def _assembled(document: Mapping[str, Any], arrays: Mapping[str, Any]) -> StoredResult:
     mesh = Mesh(arrays["vertices"], arrays["triangles"])
     m = len(mesh.triangles)
-    regions = tuple(_region(region) for region in document["regions"])
+    regions = tuple(read_region(region) for region in document["regions"])
     faces = face_results(document)
     for name in ("region", "face", "shape_type", "initial_region"):
         if arrays[name].shape != (m,):
@@ -137,27 +163,6 @@ def _indices(ids: Any, regions: tuple[Region, ...]) -> Any:
     if len(known) and not np.array_equal(known[found][ids >= 0], ids[ids >= 0]):
         raise ValueError("a triangle names a region that is not listed")
     return np.where(ids >= 0, found, -1)
-
-
-def _region(region: Mapping[str, Any]) -> Region:
-    return Region(
-        id=int(region["id"]),
-        invariance_class=_class(region["class"]),
-        area=_number(region["area"]),
-        triangles=int(region["triangles"]),
-        surface=str(region["surface"]),
-        situation={
-            str(name): [_number(x) for x in value] for name, value in region["situation"].items()
-        },
-        intrinsic={str(name): _number(value) for name, value in region["intrinsic"].items()},
-        residual=_number(region["residual"]),
-        margin=_number(region["margin"]),
-        initial_regions=int(region["initial_regions"]),
-        log_likelihood={
-            _class(name): _number(value) for name, value in region["log_likelihood"].items()
-        },
-        undecided=tuple(_class(name) for name in region["undecided"]),
-    )
 
 
 def _class(name: Any) -> Any:

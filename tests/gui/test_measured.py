@@ -97,7 +97,7 @@ def test_a_pick_on_the_mesh(scan, partition):
     classes = shown_panel().classes
     classes.setCurrentIndex(classes.findData("complex"))
     classes.activated.emit(classes.currentIndex())
-    settle()
+    wait(lambda: shown_panel().change is None)
     assert names(partition, "complex") == [dome]
     shown_panel().reject()
 

@@ -86,8 +86,8 @@ def test_cancel_leaves_nothing(block, tmp_path, monkeypatch):
     panel = open_panel()
     panel.density.set_density("triangles=400000")
     panel.button.click()
-    wait(lambda: panel.bar.isVisible() and panel._run.progress is not None)
-    process = panel._run._job._process
+    wait(lambda: panel.bar.isVisible() and panel.change.run.progress is not None)
+    process = panel.change.run._job._process
     picture("running")
     panel.reject()
     settle()
@@ -103,7 +103,7 @@ def test_a_crash_of_the_kernel_is_one_line_in_the_panel(block):
     FreeCADGui.Selection.addSelection(block)
     panel = open_panel()
     panel.button.click()
-    panel._run._job._process.send_signal(11)
+    panel.change.run._job._process.send_signal(11)
     wait(lambda: "crashed" in panel.message.text())
     assert panel.inputs.isEnabled()
     assert partitions(block.Document) == []
@@ -129,7 +129,7 @@ def test_what_it_works_on_goes_while_it_runs(block, what):
     FreeCADGui.Selection.addSelection(block)
     panel = open_panel()
     panel.button.click()
-    run = panel._run
+    run = panel.change.run
     settle(0.5)
     assert run.running
     document = block.Document

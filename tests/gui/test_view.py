@@ -5,7 +5,7 @@ import FreeCAD
 import FreeCADGui
 from conftest import own_colours
 from test_partition_panel import rgb, true_classes
-from window import click_in_view, hue_is, picture, pixel_of_face, pixels, settle
+from window import click_in_view, hue_is, picture, pixel_of_face, pixels, settle, wait
 
 from gpswb.gui.colouring import COLOUR_BY
 from gpswb.gui.compat import face_colours
@@ -110,8 +110,7 @@ def test_mesh_with_a_colour_a_facet(block, partition):
 def test_query_by_a_real_pick(block, partition):
     name = f"Face{true_classes(block).index('spherical') + 1}"
     FreeCADGui.Selection.clearSelection()
-    FreeCADGui.runCommand("GPS_Query", 0)
-    settle()
+    query_panel()
     click_in_view(*pixel_of_face(name))
     settle()
     text = shown_panel().text.text()
@@ -119,6 +118,53 @@ def test_query_by_a_real_pick(block, partition):
     assert "spherical" in text
     assert "8.00 mm" in text
     picture("query")
+
+
+def test_a_class_by_hand_is_one_step_to_undo(block, partition):
+    classes = true_classes(block)
+    name = f"Face{classes.index('spherical') + 1}"
+    FreeCADGui.Selection.clearSelection()
+    FreeCADGui.Selection.addSelection(block, name)
+    panel = query_panel()
+    choose_class(panel, "complex")
+    process = panel.change.run._job._process
+    assert process.poll() is None
+    assert panel.cancel.isVisible()
+    assert not panel.classes.isEnabled()
+    picture("class_by_hand")
+    panel.cancel.click()
+    assert process.poll() is not None
+    assert list(partition.Classes) == classes
+    assert not block.Document.UndoNames
+
+    choose_class(panel, "complex")
+    wait(lambda: panel.change is None)
+    changed = [c if c != "spherical" else "complex" for c in classes]
+    assert list(partition.Classes) == changed
+    assert "complex" in panel.text.text()
+    assert len(block.Document.UndoNames) == 1
+    panel.clear.click()
+    wait(lambda: panel.change is None)
+    assert list(partition.Classes) == classes
+    block.Document.undo()
+    settle()
+    assert list(partition.Classes) == changed
+    assert rgb(face_colours(block.ViewObject)) == [WHEEL[each] for each in changed]
+    block.Document.undo()
+    settle()
+    assert list(partition.Classes) == classes
+    assert is_coloured(block)
+
+
+def query_panel():
+    FreeCADGui.runCommand("GPS_Query", 0)
+    settle()
+    return shown_panel()
+
+
+def choose_class(panel, name):
+    panel.classes.setCurrentIndex(panel.classes.findData(name))
+    panel.classes.activated.emit(panel.classes.currentIndex())
 
 
 def test_the_legend_counts_and_selects(block, partition):

@@ -28,8 +28,14 @@ from gpswb.gui.objects.annotation import animate as animate_annotation
 from gpswb.gui.objects.feature import animate as animate_feature
 from gpswb.gui.objects.feature import sync_features
 from gpswb.gui.objects.stateless import Stateless
-from gpswb.gui.overrides import Action, from_json, override_on, to_json
-from gpswb.gui.partition_result import effective_result, keep, read_run
+from gpswb.gui.overrides import Action, from_json, override_on, regions_to_json, to_json
+from gpswb.gui.partition_result import (
+    effective,
+    effective_result,
+    keep,
+    read_run,
+    stored_result,
+)
 from gpswb.gui.runs import Run
 
 NOT_RUN, CURRENT, STALE, FAILED = "not run", "up to date", "stale", "failed"
@@ -58,6 +64,7 @@ _PROPERTIES = (
     ("App::PropertyFloat", "FrameWidth", "Data", 2, "Of what that view shows, mm"),
     ("App::PropertyFloat", "FrameHeight", "Data", 2, "Of what that view shows, mm"),
     ("App::PropertyString", "Overrides", "Data", 2, "What the user knows better, JSON"),
+    ("App::PropertyString", "Described", "Data", 2, "Regions fitted for the overrides, JSON"),
     ("App::PropertyString", "RunKey", "Data", 2, "Fingerprint of part and settings of the result"),
 )
 _OF_FACES = ("AreaAccuracy", "FaceAccuracy", "Datums", "DatumSystem")
@@ -204,22 +211,27 @@ def check_density(text: str) -> None:
         raise InputError(str(error)) from None
 
 
-def start_run(source: Any, density: str, mode: str) -> Run:
+def start_run(source: Any, density: str, mode: str, overrides: str = "") -> Run:
     """Start to partition a part in a process of its own; see `finish_run`.
+
+    Args:
+        overrides: what the partition's ``Overrides`` says; its regions are then fitted there, too.
 
     Raises:
         InputError: the density isn't valid.
     """
     if is_measurement(source):
-        return Run("partition_measurement", source, mode)
+        return Run("partition_measurement", source, mode, overrides)
     check_density(density)
-    return Run("partition_shape", source, density, mode)
+    return Run("partition_shape", source, density, mode, overrides)
 
 
-def finish_run(obj: Any, document: dict[str, Any], labels: Path) -> Iterator[None]:
+def finish_run(obj: Any, found: dict[str, Any], labels: Path) -> Iterator[None]:
     """Put the result of a run into the object, in slices: iterate to the end."""
+    document = found["document"]
     obj.Labels = str(labels)
     obj.Result = json.dumps(document)
+    obj.Described = found["described"]
     yield
     obj.RunKey = run_key(obj)
     stored = yield from aside(lambda: read_run(document, labels))
@@ -229,7 +241,10 @@ def finish_run(obj: Any, document: dict[str, Any], labels: Path) -> Iterator[Non
 
 def show_result(obj: Any) -> Iterator[None]:
     """Properties and children from the stored result and the overrides, in slices."""
-    stored, notes = effective_result(obj)
+    plain, overrides, described = stored_result(obj), obj.Overrides, obj.Described
+    found = yield from aside(lambda: effective(plain, overrides, described))
+    obj.Described = regions_to_json(found.described)
+    stored, notes = found.stored, found.notes
     document = stored.document
     obj.Classes = [face.invariance_class or "none" for face in stored.faces]
     obj.Triangles = document["mesh"]["triangles"]
@@ -255,7 +270,7 @@ def run(obj: Any) -> None:
     Raises:
         GpswbError: it failed; the object keeps what it had.
     """
-    work = start_run(usable_source(obj.Source), obj.Density, obj.Mode)
+    work = start_run(usable_source(obj.Source), obj.Density, obj.Mode, obj.Overrides)
     try:
         for _ in finish_run(obj, work.result(), work.folder / "labels.npz"):
             pass
@@ -272,23 +287,48 @@ def run_key(obj: Any) -> str:
 def add_override(
     obj: Any, action: Action, faces: Sequence[str], invariance_class: InvarianceClass | None = None
 ) -> None:
-    """Merge or split the regions of faces, or change their class, from now on.
+    """Merge or split the regions of faces, or change their class, from now on, and wait for it.
 
     Raises:
         InputError: the faces don't exist, or the action can't be done on them.
     """
-    current, _ = effective_result(obj)
-    new = override_on(current, action, faces, invariance_class)
-    obj.Overrides = to_json([*from_json(obj.Overrides), new])
-    for _ in show_result(obj):
+    for _ in finish_change(obj, with_override(obj, action, faces, invariance_class)):
         pass
 
 
 def clear_overrides(obj: Any) -> None:
     """Go back to what was recognised."""
-    obj.Overrides = ""
-    for _ in show_result(obj):
+    for _ in finish_change(obj, ""):
         pass
+
+
+def with_override(
+    obj: Any, action: Action, faces: Sequence[str], invariance_class: InvarianceClass | None = None
+) -> str:
+    """What ``Overrides`` says with one more; nothing is changed.
+
+    Raises:
+        InputError: as `add_override`.
+    """
+    current, _ = effective_result(obj)
+    new = override_on(current, action, faces, invariance_class)
+    return to_json([*from_json(obj.Overrides), new])
+
+
+def start_change(obj: Any, overrides: str) -> Run:
+    """Start to fit the regions of other overrides in a process of its own; see `finish_change`."""
+    return Run("describe_overrides", obj, overrides, obj.Described)
+
+
+def finish_change(obj: Any, overrides: str, described: str = "") -> Iterator[None]:
+    """Make overrides those in force, in slices: iterate to the end.
+
+    Args:
+        described: what the run returned; without it regions are fitted here.
+    """
+    obj.Overrides = overrides
+    obj.Described = described or obj.Described
+    yield from show_result(obj)
 
 
 def _last_run_s(obj: Any) -> float:

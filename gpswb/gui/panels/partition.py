@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import Any
 
 import FreeCAD
@@ -22,7 +23,7 @@ from gpswb.gui.objects.partition import (
 )
 from gpswb.gui.panels.density import DensityWidget, let_shrink
 from gpswb.gui.panels.show import close_panel
-from gpswb.gui.panels.watch import Slices, Watch
+from gpswb.gui.panels.watch import Change, Watch
 from gpswb.gui.runs import Run
 
 _MODES = {
@@ -57,8 +58,8 @@ class PartitionPanel:
     def __init__(self, source: Any = None, partition: Any = None) -> None:
         self.partition = partition
         self.source = partition.Source if partition else source
-        self.watch: Watch | Slices | None = None
-        self._run: Run | None = None
+        self.change: Change | None = None
+        self._made: Any = None
         self._count: Watch | None = None
         self._build(partition)
         self._timer = QtCore.QTimer()
@@ -80,16 +81,15 @@ class PartitionPanel:
 
     def accept(self) -> bool:
         """Start the run; the panel closes when it has ended well."""
-        if self._run is None and self.source is not None:
+        if self.change is None and self.source is not None:
             self._start()
         return False
 
     def reject(self) -> bool:
         """Cancel: nothing of a run that has not ended is left."""
-        storing = isinstance(self.watch, Slices)
+        if self.change is not None:
+            self.change.cancel()
         self.stop()
-        if storing:
-            self.source.Document.abortTransaction()
         close_panel()
         return True
 
@@ -97,13 +97,13 @@ class PartitionPanel:
         """See `show_panel`."""
         self._stop_count()
         FreeCADGui.Selection.removeObserver(self)
-        if self.watch is not None:
-            self.watch.stop()
-        self._end_run()
+        if self.change is not None:
+            self.change.stop()
+            self.change = None
 
     def addSelection(self, document: str, name: str, sub: str, point: Any) -> None:
         """The user has clicked something: take it as the part, if it is one."""
-        if self.partition is not None or self._run is not None:
+        if self.partition is not None or self.change is not None:
             return
         obj = FreeCAD.getDocument(document).getObject(name)
         try:
@@ -203,8 +203,10 @@ class PartitionPanel:
     def _start(self) -> None:
         self._stop_count()
         self.message.clear()
+        overrides = self.partition.Overrides if self.partition is not None else ""
+        density, mode = self.density.density(), self.mode.currentData()
         try:
-            self._run = start_run(self.source, self.density.density(), self.mode.currentData())
+            run = start_run(self.source, density, mode, overrides)
         except GpswbError as error:
             self._failed(str(error))
             return
@@ -212,62 +214,54 @@ class PartitionPanel:
         self.button.setEnabled(False)
         self.bar.setValue(0)
         self.bar.show()
-        self.watch = Watch(self._run, self._ran, self._failed, self._progress)
+
+        def put(found: dict[str, Any]) -> Iterator[None]:
+            obj = self.partition
+            if obj is None:
+                obj = self._made = make_partition(self.source, density, mode, compute=False)
+            else:
+                if obj.Density != AS_READ:
+                    obj.Density = density
+                obj.Mode = mode
+            yield from finish_run(obj, found, run.folder / "labels.npz")
+
+        self.change = Change(
+            run,
+            self.source.Document,
+            translate("GPS", "Partition"),
+            put,
+            self._stored,
+            self._failed,
+            self._progress,
+        )
 
     def _progress(self, stage: str, share: float) -> None:
-        if stage in _ORDER:
+        if stage == Change.CHANGING:
+            self.bar.setRange(0, 0)
+            self.message.setText(translate("GPS", "Storing the result"))
+        elif stage in _ORDER:
             step = 100 / len(_ORDER)
             self.bar.setValue(int(step * (_ORDER.index(stage) + share)))
             self.message.setText(translate("GPS", _STAGES[stage]))
 
-    def _ran(self, document: dict[str, Any]) -> None:
-        """The process has ended well: from here on the document changes, as one step to undo."""
-        assert self._run is not None
-        self.bar.setRange(0, 0)
-        self.message.setText(translate("GPS", "Storing the result"))
-        target = self.source.Document
-        target.openTransaction(translate("GPS", "Partition"))
-        try:
-            if self.partition is None:
-                obj = make_partition(
-                    self.source, self.density.density(), self.mode.currentData(), compute=False
-                )
-            else:
-                obj = self.partition
-                if obj.Density != AS_READ:
-                    obj.Density = self.density.density()
-                obj.Mode = self.mode.currentData()
-        except GpswbError as error:
-            self._failed(str(error))
-            return
-        work = finish_run(obj, document, self._run.folder / "labels.npz")
-        self.watch = Slices(work, lambda: self._stored(obj), self._failed)
-
-    def _stored(self, obj: Any) -> None:
+    def _stored(self) -> None:
         from gpswb.gui.panels.legend import show_legend
 
-        obj.Document.commitTransaction()
-        self._end_run()
+        self.change = None
         FreeCADGui.Selection.removeObserver(self)
         close_panel()
         FreeCADGui.Selection.clearSelection()  # a selected part hides its colours
+        obj = self.partition or self._made
         FreeCADGui.getDocument(obj.Document.Name).toggleTreeItem(obj, 2)  # open it in the tree
         show_legend()
 
     def _failed(self, why: str) -> None:
-        if self.source is not None:
-            self.source.Document.abortTransaction()
-        self._end_run()
+        self.change = None
         self.bar.hide()
         self.bar.setRange(0, 100)
         self.inputs.setEnabled(True)
         self.button.setEnabled(True)
         self.message.setText(f"<span style='color:#c00000'>{_plain(why)}</span>")
-
-    def _end_run(self) -> None:
-        if self._run is not None:
-            self._run.close()
-        self._run = self.watch = None
 
 
 def _size(source: Any) -> str:

@@ -14,11 +14,13 @@ from gpswb.gui import compat
 from gpswb.gui.compat import QtGui, QtWidgets, translate
 from gpswb.gui.face_text import face_rows, ranking_rows
 from gpswb.gui.icons import class_icon, icon
-from gpswb.gui.objects.partition import add_override, clear_overrides
+from gpswb.gui.objects.partition import finish_change, start_change, with_override
 from gpswb.gui.overrides import Action
 from gpswb.gui.panels.density import let_shrink
 from gpswb.gui.panels.show import close_panel
+from gpswb.gui.panels.watch import Change
 from gpswb.gui.partition_result import effective_result
+from gpswb.gui.runs import Run
 from gpswb.gui.selection import chosen_faces
 
 
@@ -31,6 +33,7 @@ class QueryPanel:
 
     def __init__(self, partition: Any) -> None:
         self.partition = partition
+        self.change: Change | None = None
         self.form = QtWidgets.QWidget()
         self.form.setWindowTitle(translate("GPS", "Query face"))
         self.form.setWindowIcon(QtGui.QIcon(icon("GPS_Query")))
@@ -45,19 +48,30 @@ class QueryPanel:
         self.classes.addItem(translate("GPS", "Change class …"), None)
         for name in CLASSES:
             self.classes.addItem(QtGui.QIcon(class_icon(name)), translate("GPS", name), name)
+        self.bar = QtWidgets.QProgressBar()
+        self.bar.setTextVisible(False)
+        self.cancel = QtWidgets.QPushButton(translate("GPS", "Cancel"))
+        self.working = QtWidgets.QWidget()
+        self.working.hide()
+        row = QtWidgets.QHBoxLayout(self.working)
+        row.setContentsMargins(0, 0, 0, 0)
+        row.addWidget(self.bar)
+        row.addWidget(self.cancel)
         better = QtWidgets.QGroupBox(translate("GPS", "You know better"))
         grid = QtWidgets.QGridLayout(better)
         grid.addWidget(self.merge, 0, 0)
         grid.addWidget(self.split, 0, 1)
         grid.addWidget(self.classes, 1, 0)
         grid.addWidget(self.clear, 1, 1)
+        grid.addWidget(self.working, 2, 0, 1, 2)
         layout = QtWidgets.QVBoxLayout(self.form)
         layout.addWidget(self.text)
         layout.addStretch()
         layout.addWidget(better)
         self.merge.clicked.connect(lambda: self._override("merge"))
         self.split.clicked.connect(lambda: self._override("split"))
-        self.clear.clicked.connect(self._clear)
+        self.clear.clicked.connect(lambda: self._start("", None))
+        self.cancel.clicked.connect(self._cancel)
         self.classes.activated.connect(lambda _: self._override("class"))
         FreeCADGui.Selection.addObserver(self)
         self.refresh()
@@ -67,22 +81,28 @@ class QueryPanel:
         return compat.standard_buttons("Close")
 
     def reject(self) -> bool:
-        """Close."""
+        """Close; a change that isn't done is cancelled."""
+        if self.change is not None:
+            self.change.cancel()
         self.stop()
         close_panel()
         return True
 
     def stop(self) -> None:
         """See `show_panel`."""
+        if self.change is not None:
+            self.change.stop()
+            self.change = None
         FreeCADGui.Selection.removeObserver(self)
 
     def refresh(self, *_: Any) -> None:
         """Say what is known of the face that was clicked last."""
         faces = chosen_faces(self.partition)
-        for button in (self.merge, self.split, self.classes):
-            button.setEnabled(bool(faces))
-        self.merge.setEnabled(len(faces) > 1)
-        self.clear.setEnabled(bool(self.partition.Overrides))
+        if self.change is None:
+            for button in (self.merge, self.split, self.classes):
+                button.setEnabled(bool(faces))
+            self.merge.setEnabled(len(faces) > 1)
+            self.clear.setEnabled(bool(self.partition.Overrides))
         if not faces:
             self.text.setText(translate("GPS", "Click a face of the part."))
             return
@@ -116,26 +136,53 @@ class QueryPanel:
             f"<h4>{escape(title)}</h4><table>{ranking}</table><p><i>{escape(how)}</i></p>"
         )
 
+    # -- what the user knows better --
+
     def _override(self, action: Action) -> None:
         given = self.classes.currentData() if action == "class" else None
         self.classes.setCurrentIndex(0)
         if action == "class" and given is None:
             return
-        faces = chosen_faces(self.partition)
-        self._change(lambda: add_override(self.partition, action, faces, given))
-
-    def _clear(self) -> None:
-        self._change(lambda: clear_overrides(self.partition))
-
-    def _change(self, change: Any) -> None:
-        """Do it as one step to undo."""
-        document = self.partition.Document
-        document.openTransaction(translate("GPS", "Change regions"))
         try:
-            change()
+            wanted = with_override(self.partition, action, chosen_faces(self.partition), given)
         except GpswbError as error:
-            document.abortTransaction()
             compat.show_error(str(error))
             return
-        document.commitTransaction()
+        self._start(wanted, start_change(self.partition, wanted))
+
+    def _start(self, wanted: str, run: Run | None) -> None:
+        """Fit the regions beside the window, then change the document as one step to undo."""
+        self._changing(True)
+        self.change = Change(
+            run,
+            self.partition.Document,
+            translate("GPS", "Change regions"),
+            lambda described: finish_change(self.partition, wanted, described or ""),
+            self._end,
+            self._failed,
+            self._progress,
+        )
+
+    def _progress(self, stage: str, share: float) -> None:
+        self.bar.setRange(0, 100 if stage == "recognise" and share else 0)
+        self.bar.setValue(int(100 * share))
+
+    def _cancel(self) -> None:
+        if self.change is not None:
+            self.change.cancel()
+        self._end()
+
+    def _failed(self, why: str) -> None:
+        self._end()
+        compat.show_error(why)
+
+    def _end(self) -> None:
+        self.change = None
+        self._changing(False)
         self.refresh()
+
+    def _changing(self, yes: bool) -> None:
+        self.working.setVisible(yes)
+        self.bar.setRange(0, 0)
+        for each in (self.merge, self.split, self.classes, self.clear):
+            each.setEnabled(not yes)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Work beside the window: poll a process, and do long work on the document in slices."""
+"""Work beside the window: poll a process, do long work on the document in slices, or both."""
 
 from __future__ import annotations
 
@@ -92,3 +92,72 @@ class Slices:
     def stop(self) -> None:
         """Leave the rest undone; nobody is called any more."""
         self._timer.stop()
+
+
+class Change:
+    """A run, and what it then changes in a document, in slices and as one step to undo.
+
+    Args:
+        run: the process; None where there is nothing to wait for.
+        document: what is changed; ``title`` names the step.
+        change: takes the run's result and is iterated to its end.
+        done, failed: called then, or with the text of the error: the document is as it was.
+        progress: called with stage and share of the run, and with ``CHANGING`` after it.
+    """
+
+    CHANGING = "change"
+
+    def __init__(
+        self,
+        run: Run | None,
+        document: Any,
+        title: str,
+        change: Callable[[Any], Iterator[None]],
+        done: Callable[[], None],
+        failed: Callable[[str], None],
+        progress: Callable[[str, float], None],
+    ) -> None:
+        self.run = run
+        self._document, self._title, self._change = document, title, change
+        self._done, self._failed, self._progress = done, failed, progress
+        self._work: Watch | Slices | None = None
+        if run is None:
+            self._ran(None)
+        else:
+            self._work = Watch(run, self._ran, self._fail, progress)
+
+    def cancel(self) -> None:
+        """End it; the document is as it was, and nobody is called any more."""
+        changing = isinstance(self._work, Slices)
+        self.stop()
+        if changing:
+            self._document.abortTransaction()
+
+    def stop(self) -> None:
+        """End it and leave the document alone, which may be gone; nobody is called any more."""
+        if self._work is not None:
+            self._work.stop()
+        self._close()
+
+    def _ran(self, result: Any) -> None:
+        self._progress(self.CHANGING, 0.0)
+        self._document.openTransaction(self._title)
+        self._work = Slices(self._change(result), self._commit, self._abort)
+
+    def _commit(self) -> None:
+        self._document.commitTransaction()
+        self._close()
+        self._done()
+
+    def _abort(self, why: str) -> None:
+        self._document.abortTransaction()
+        self._fail(why)
+
+    def _fail(self, why: str) -> None:
+        self._close()
+        self._failed(why)
+
+    def _close(self) -> None:
+        self._work = None
+        if self.run is not None:
+            self.run.close()
