@@ -7,6 +7,8 @@ import math
 from dataclasses import dataclass
 from typing import Literal
 
+from gpswb.sentence import Sentence
+
 Rule = Literal[
     "auto", "coarse", "medium", "fine", "stl", "deflection", "edge", "vertices", "triangles", "turn"
 ]
@@ -56,10 +58,10 @@ class Density:
         except ValueError:
             raise _invalid(text) from None
         if not all(math.isfinite(x) and x > 0 for x in numbers):
-            raise _invalid(text, "its numbers must be positive")
+            raise _invalid(text, Sentence("its numbers must be positive"))
         if name == "deflection" and len(numbers) == 2:
             if numbers[1] >= 180:
-                raise _invalid(text, "the angle must be below 180 degrees")
+                raise _invalid(text, Sentence("the angle must be below 180 degrees"))
             return cls("deflection", numbers[0], numbers[1])
         if len(numbers) != 1:
             raise _invalid(text)
@@ -68,7 +70,12 @@ class Density:
         if name in ("vertices", "triangles", "turn"):
             least, most = (3, 720) if name == "turn" else (4, 20_000_000)
             if numbers[0] != int(numbers[0]) or not least <= numbers[0] <= most:
-                raise _invalid(text, f"N must be a whole number from {least} to {most}")
+                raise _invalid(
+                    text,
+                    Sentence(
+                        "N must be a whole number from {least} to {most}", least=least, most=most
+                    ),
+                )
             return cls(name, numbers[0])  # type: ignore[arg-type]
         raise _invalid(text)
 
@@ -85,6 +92,16 @@ def _number(value: float) -> str:
     return str(int(value)) if value == int(value) else repr(value)
 
 
-def _invalid(text: str, why: str = "") -> ValueError:
-    reason = f" ({why})" if why else ""
-    return ValueError(f"density {text!r} isn't valid{reason}: use one of {FORMS}")
+def _invalid(text: str, why: Sentence | None = None) -> ValueError:
+    if why is None:
+        return ValueError(
+            Sentence("density {text!r} isn't valid: use one of {forms}", text=text, forms=FORMS)
+        )
+    return ValueError(
+        Sentence(
+            "density {text!r} isn't valid ({why}): use one of {forms}",
+            text=text,
+            why=why,
+            forms=FORMS,
+        )
+    )

@@ -24,6 +24,7 @@ from pathlib import Path
 from typing import Any
 
 from gpswb.errors import GpswbError, InputError, KernelError, OutputError
+from gpswb.sentence import Sentence, packed, unpacked
 
 _ERRORS: dict[str, type[GpswbError]] = {
     "InputError": InputError,
@@ -96,7 +97,9 @@ class IsolatedJob:
             self._process.wait(timeout_s)
             return self._outcome()
         except subprocess.TimeoutExpired:
-            raise KernelError(f"no result within {timeout_s:g} s") from None
+            raise KernelError(
+                Sentence("no result within {seconds:g} s", seconds=timeout_s)
+            ) from None
         finally:
             self.close()
 
@@ -115,15 +118,17 @@ class IsolatedJob:
         folder = Path(self._folder.name)
         if self._process.returncode < 0:
             name = signal.Signals(-self._process.returncode).name
-            raise KernelError(f"the CAD kernel crashed ({name})")
+            raise KernelError(Sentence("the CAD kernel crashed ({signal})", signal=name))
         try:
             outcome = json.loads((folder / "answer").read_text())
         except OSError:
             trouble = (folder / "trouble").read_text(errors="replace")
             last = trouble.strip().splitlines()[-1:] or ["no message"]
-            raise KernelError(f"the isolated process failed: {last[0][:200]}") from None
+            raise KernelError(
+                Sentence("the isolated process failed: {why}", why=last[0][:200])
+            ) from None
         if "error" in outcome:
-            raise _ERRORS.get(outcome["error"], KernelError)(outcome["message"])
+            raise _ERRORS.get(outcome["error"], KernelError)(unpacked(outcome["message"]))
         return outcome["result"]
 
 
@@ -188,11 +193,13 @@ def _serve() -> None:
         module, name = job["function"].split(":")
         outcome = {"result": getattr(importlib.import_module(module), name)(*job["args"])}
     except GpswbError as error:
-        outcome = {"error": type(error).__name__, "message": str(error)}
+        outcome = {"error": type(error).__name__, "message": packed(str(error))}
     except MemoryError:
         outcome = {
             "error": "KernelError",
-            "message": f"needs more than {job['memory_mb']} MB of memory",
+            "message": packed(
+                Sentence("needs more than {limit} MB of memory", limit=job["memory_mb"])
+            ),
         }
     except Exception as error:  # noqa: BLE001 - the caller gets it as a KernelError
         text = " ".join(str(error).split())[:200]

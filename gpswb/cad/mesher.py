@@ -19,6 +19,7 @@ from gpswb.cad.sizing import SizeRule
 from gpswb.cad.stitch import outward, stitch
 from gpswb.cad.weld import Tessellation, weld
 from gpswb.errors import InputError, KernelError
+from gpswb.sentence import Sentence
 
 Progress = Callable[[str, float], None]
 
@@ -184,8 +185,13 @@ def _uniform(job: _Job, size: float, turn: int) -> FacedMesh:
     expected = 4 / math.sqrt(3) * area / size**2
     if expected > _MOST:
         raise InputError(
-            f"an edge length of {size:.3g} mm would make about {expected:.2g} triangles; "
-            f"at most {_MOST} are possible"
+            Sentence(
+                "an edge length of {size:.3g} mm would make about {expected:.2g} triangles; at "
+                "most {most} are possible",
+                size=size,
+                expected=expected,
+                most=_MOST,
+            )
         )
     meshes: list[FacedMesh] = []
     for k, faces in enumerate(job.bodies):

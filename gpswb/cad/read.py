@@ -20,6 +20,7 @@ from gpswb.cad.solid import Face, FaceMap, Solid
 from gpswb.cad.truth import face_truth
 from gpswb.core.mesh import Mesh
 from gpswb.errors import InputError, KernelError
+from gpswb.sentence import Sentence
 
 Kernel = Literal["ocp", "freecad"]
 Progress = Callable[[str, float], None]
@@ -54,7 +55,7 @@ def read_solid(
     _tell(progress, "tessellate", 0.0)
     faced, mesher, notes = tessellate(shape, density, progress)
     if not len(faced.triangles):
-        raise InputError(f"{source}: no face of the shape can be tessellated")
+        raise InputError(Sentence("{path}: no face of the shape can be tessellated", path=source))
     mesh_s = time.perf_counter() - start
     start = time.perf_counter()
     truths = [face_truth(face) for face in shape.faces]

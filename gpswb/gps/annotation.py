@@ -15,6 +15,7 @@ from gpswb.gps.on_faces import chosen_features
 from gpswb.gps.specifications import Specification, permitted_specifications
 from gpswb.gps.specified import Letters, SpecificationRow, Specified, specify
 from gpswb.gps.suggest_datums import Suggestion, suggest_datums
+from gpswb.sentence import Sentence
 
 
 @dataclass(frozen=True, eq=False)
@@ -65,11 +66,13 @@ def annotate(
     letters: dict[str, tuple[GpsFeature, ...]] = {}
     for letter, choice in datums:
         if letter in letters:
-            raise InputError(f"datum {letter} is given twice")
+            raise InputError(Sentence("datum {letter} is given twice", letter=letter))
         try:
             letters[letter] = chosen_features(table.features, choice)
         except InputError as error:
-            raise InputError(f"datum {letter}: {error}") from None
+            raise InputError(
+                Sentence("datum {letter}: {why}", letter=letter, why=str(error))
+            ) from None
     suggestions = suggest_datums(table.features, table.frame)
     system = suggestions[0].system if suggestions else None
     if datums:

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import Literal, get_args
 
 from gpswb.gps.gps_feature import GpsFeature
+from gpswb.sentence import Sentence
 
 Characteristic = Literal[
     "straightness",
@@ -51,7 +52,7 @@ class Rule:
     symbol: str
     group: Group
     families: frozenset[str]
-    otherwise: str
+    otherwise: Sentence | None
 
 
 RULES: dict[Characteristic, Rule] = {
@@ -59,35 +60,44 @@ RULES: dict[Characteristic, Rule] = {
         "⏤",
         "form",
         frozenset({"plane", "cylinder", "cone", "prismatic", "opposed planes", "group"}),
-        "it has no straight line elements",
+        Sentence("it has no straight line elements"),
     ),
-    "flatness": Rule("⏥", "form", frozenset({"plane", "opposed planes"}), "it isn't flat"),
-    "roundness": Rule("○", "form", _ROUND | {"sphere"}, "its sections aren't circles"),
-    "cylindricity": Rule("⌭", "form", frozenset({"cylinder", "group"}), "it isn't a cylinder"),
-    "line profile": Rule("⌒", "profile", _ALL, ""),
-    "surface profile": Rule("⌓", "profile", _ALL, ""),
-    "parallelism": Rule("∥", "orientation", _DIRECTED, "it has no direction to orient"),
-    "perpendicularity": Rule("⟂", "orientation", _DIRECTED, "it has no direction to orient"),
-    "angularity": Rule("∠", "orientation", _DIRECTED, "it has no direction to orient"),
+    "flatness": Rule(
+        "⏥", "form", frozenset({"plane", "opposed planes"}), Sentence("it isn't flat")
+    ),
+    "roundness": Rule("○", "form", _ROUND | {"sphere"}, Sentence("its sections aren't circles")),
+    "cylindricity": Rule(
+        "⌭", "form", frozenset({"cylinder", "group"}), Sentence("it isn't a cylinder")
+    ),
+    "line profile": Rule("⌒", "profile", _ALL, None),
+    "surface profile": Rule("⌓", "profile", _ALL, None),
+    "parallelism": Rule("∥", "orientation", _DIRECTED, Sentence("it has no direction to orient")),
+    "perpendicularity": Rule(
+        "⟂", "orientation", _DIRECTED, Sentence("it has no direction to orient")
+    ),
+    "angularity": Rule("∠", "orientation", _DIRECTED, Sentence("it has no direction to orient")),
     "position": Rule(
-        "⌖", "location", _ALL - {"complex"}, "a freeform surface is located by a surface profile"
+        "⌖",
+        "location",
+        _ALL - {"complex"},
+        Sentence("a freeform surface is located by a surface profile"),
     ),
-    "concentricity": Rule("◎", "location", _ROUND | {"sphere"}, "it has no centre point"),
-    "coaxiality": Rule("◎", "location", _ROUND | {"helical"}, "it has no axis"),
+    "concentricity": Rule("◎", "location", _ROUND | {"sphere"}, Sentence("it has no centre point")),
+    "coaxiality": Rule("◎", "location", _ROUND | {"helical"}, Sentence("it has no axis")),
     "symmetry": Rule(
         "⌯",
         "location",
         frozenset({"cylinder", "prismatic", "opposed planes", "group"}),
-        "it has no median plane or line",
+        Sentence("it has no median plane or line"),
     ),
     "circular run-out": Rule(
-        "↗", "run-out", _ROUND | {"sphere", "plane"}, "it doesn't turn about an axis"
+        "↗", "run-out", _ROUND | {"sphere", "plane"}, Sentence("it doesn't turn about an axis")
     ),
     "total run-out": Rule(
         "⌰",
         "run-out",
         frozenset({"cylinder", "plane", "group"}),
-        "total run-out is defined for cylinders and planes",
+        Sentence("total run-out is defined for cylinders and planes"),
     ),
 }
 

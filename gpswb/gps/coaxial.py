@@ -7,11 +7,12 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from gpswb.gps.gps_feature import GpsFeature, Kind, group_of
+from gpswb.gps.gps_feature import GpsFeature, Kind, group_of, numbered
 from gpswb.gps.invariance_of_union import invariance_of_union
 from gpswb.gps.same_surface import cylindrical_coordinates
 from gpswb.gps.tolerances import DEFAULT, Tolerances
 from gpswb.gps.twists import Frame
+from gpswb.sentence import Sentence
 
 
 def coaxial_features(
@@ -110,6 +111,13 @@ def _sunk_holes(group: list[GpsFeature], near: float) -> list[tuple[Kind, list[G
     return found
 
 
+_NAMES: dict[Kind, Sentence] = {
+    "coaxial group": Sentence("Coaxial group"),
+    "counterbore": Sentence("Counterbore"),
+    "countersink": Sentence("Countersink"),
+}
+
+
 def _compound(
     kind: Kind,
     members: list[GpsFeature],
@@ -124,7 +132,7 @@ def _compound(
     return group_of(
         members,
         id_=id_,
-        name=f"{kind.capitalize()} {number}",
+        name=numbered(_NAMES[kind], number),
         kind=kind,
         invariance_class=invariance_of_union(situations, frame, tolerances).invariance_class,
         situations=situations,

@@ -27,6 +27,7 @@ from gpswb.gps.twists import (
     rotations_of,
     translations_of,
 )
+from gpswb.sentence import Sentence
 
 
 @dataclass(frozen=True, eq=False)
@@ -201,11 +202,21 @@ def parse_datums(
     for part in text.split("|"):
         match = _DATUM.fullmatch(part.strip())
         if match is None:
-            raise InputError(f"{part.strip()!r} in {text!r} is no datum; write A|B-C|D><")
+            raise InputError(
+                Sentence(
+                    "{part!r} in {text!r} is no datum; write A|B-C|D><",
+                    part=part.strip(),
+                    text=text,
+                )
+            )
         names = match[1].split("-")
         for name in names:
             if name not in letters:
-                raise InputError(f"datum {name} in {text!r} isn't assigned to a feature")
+                raise InputError(
+                    Sentence(
+                        "datum {name} in {text!r} isn't assigned to a feature", name=name, text=text
+                    )
+                )
         meant = [letters[name] for name in names]
         features = [f for m in meant for f in (m if isinstance(m, tuple) else (m,))]
         datums.append(Datum(match[1], tuple(features), bool(match[2])))

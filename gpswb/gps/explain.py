@@ -9,85 +9,135 @@ import numpy as np
 
 from gpswb.core.mesh import FloatArray
 from gpswb.gps.datum_system import DatumSystem, Freedom, Lock
-from gpswb.gps.gps_feature import GpsFeature
+from gpswb.gps.gps_feature import GpsFeature, Size
 from gpswb.gps.twists import rotations_of, translations_of
+from gpswb.sentence import Sentence, joined
 
-_NUMBERS = ("no", "one", "two", "three", "four", "five", "six")
+_NUMBERS = (
+    Sentence("no"),
+    Sentence("one"),
+    Sentence("two"),
+    Sentence("three"),
+    Sentence("four"),
+    Sentence("five"),
+    Sentence("six"),
+)
+_TRANSLATIONS = (
+    Sentence("one translation"),
+    Sentence("two translations"),
+    Sentence("three translations"),
+)
+_ROTATIONS = (
+    Sentence("one rotation"),
+    Sentence("two rotations"),
+    Sentence("three rotations"),
+)
 
 
-def explain_datum_system(system: DatumSystem, needed: int) -> str:
+def explain_datum_system(system: DatumSystem, needed: int) -> Sentence:
     """A sentence for each letter, one for the system, and one on what it leaves free of the part.
 
     Args:
         needed: degrees of freedom that the part lets any datum system lock.
     """
     if not system.datums:
-        return "Without a datum nothing is locked."
+        return Sentence("Without a datum nothing is locked.")
     lines = []
     for datum, lock in zip(system.datums, system.locks, strict=True):
-        names = " with ".join(explain_feature(feature) for feature in datum.features)
-        only = ", for orientation only," if datum.orientation_only else ""
-        lines.append(f"{datum.name} ({names}){only} {explain_lock(lock)}.")
+        names: str = explain_feature(datum.features[0])
+        for feature in datum.features[1:]:
+            names = Sentence("{one} with {other}", one=names, other=explain_feature(feature))
+        only = Sentence(", for orientation only,") if datum.orientation_only else ""
+        what = explain_lock(lock)
+        lines.append(
+            Sentence(
+                "{datum} ({names}){only} {what}.",
+                datum=datum.name,
+                names=names,
+                only=only,
+                what=what,
+            )
+        )
     if system.degrees >= needed:
-        rest = "" if needed == 6 else f"; the other {_NUMBERS[6 - needed]} no datum of it can lock"
-        lines.append(f"Together they lock {_NUMBERS[system.degrees]} of six: complete{rest}.")
+        rest = Sentence("; the other {n} no datum of it can lock", n=_NUMBERS[6 - needed])
+        lines.append(
+            Sentence(
+                "Together they lock {n} of six: complete{rest}.",
+                n=_NUMBERS[system.degrees],
+                rest="" if needed == 6 else rest,
+            )
+        )
     else:
         lines.append(
-            f"Together they lock {_NUMBERS[system.degrees]} of the {_NUMBERS[needed]} degrees of "
-            "freedom that this part's datums can lock: not complete."
+            Sentence(
+                "Together they lock {n} of the {needed} degrees of freedom that this part's datums "
+                "can lock: not complete.",
+                n=_NUMBERS[system.degrees],
+                needed=_NUMBERS[needed],
+            )
         )
     if system.degrees < 6:
         free = Freedom(translations_of(system.free), rotations_of(system.free), False)
-        lines.append(f"Of the part {explain_freedom(free)}.")
-    return "\n".join(lines)
+        lines.append(Sentence("Of the part {free}.", free=explain_freedom(free)))
+    return joined("\n", lines)
 
 
-def explain_feature(feature: GpsFeature) -> str:
+def explain_feature(feature: GpsFeature) -> Sentence:
     """Name, size and faces: ``Hole 2, Ø10, Face5 Face6``."""
     parts = [feature.name]
     if feature.size is not None:
-        sign = {"diameter": "Ø", "spherical diameter": "SØ", "width": "width "}
         count = f"{int(feature.intrinsic['count'])} × " if "count" in feature.intrinsic else ""
-        degrees = "°" if feature.size.kind == "cone angle" else ""
-        parts.append(
-            f"{count}{sign.get(feature.size.kind, 'angle ')}{feature.size.value:.6g}{degrees}"
-        )
+        parts.append(joined("", [count, _size(feature.size)]))
     if feature.faces:
         parts.append(" ".join(feature.faces))
-    return ", ".join(parts)
+    return joined(", ", parts)
 
 
-def explain_freedom(freedom: Freedom) -> str:
+def _size(size: Size) -> Sentence:
+    if size.kind == "diameter":
+        return Sentence("Ø{value:.6g}", value=size.value)
+    if size.kind == "spherical diameter":
+        return Sentence("SØ{value:.6g}", value=size.value)
+    if size.kind == "width":
+        return Sentence("width {value:.6g}", value=size.value)
+    return Sentence("angle {value:.6g}°", value=size.value)
+
+
+def explain_freedom(freedom: Freedom) -> Sentence:
     """What stays free of a feature, as information."""
     if freedom.located:
-        return "the datums locate it fully"
-    moves = []
-    if len(freedom.translations):
-        moves.append(f"translation {_along(freedom.translations, 'along')}")
-    if len(freedom.rotations):
-        moves.append(f"rotation {_along(freedom.rotations, 'about')}")
-    return f"{' and '.join(moves)} stays free"
+        return Sentence("the datums locate it fully")
+    along, about = _directions(freedom.translations), _directions(freedom.rotations)
+    if not len(freedom.rotations):
+        return Sentence("translation along {along} stays free", along=along)
+    if not len(freedom.translations):
+        return Sentence("rotation about {about} stays free", about=about)
+    return Sentence(
+        "translation along {along} and rotation about {about} stays free", along=along, about=about
+    )
 
 
-def explain_lock(lock: Lock) -> str:
+def explain_lock(lock: Lock) -> Sentence:
     """What a letter locks: ``locks one translation and two rotations``."""
     if lock.redundant:
-        return "is redundant: it locks nothing that isn't locked already"
-    parts = [
-        f"{_NUMBERS[n]} {word}{'s' if n > 1 else ''}"
-        for n, word in ((lock.translations, "translation"), (lock.rotations, "rotation"))
-        if n
-    ]
-    return f"locks {' and '.join(parts)}"
+        return Sentence("is redundant: it locks nothing that isn't locked already")
+    translations = _TRANSLATIONS[lock.translations - 1]
+    rotations = _ROTATIONS[lock.rotations - 1]
+    if not lock.rotations:
+        return Sentence("locks {what}", what=translations)
+    if not lock.translations:
+        return Sentence("locks {what}", what=rotations)
+    return Sentence("locks {what} and {also}", what=translations, also=rotations)
 
 
-def _along(directions: FloatArray, word: str) -> str:
+def _directions(directions: FloatArray) -> Sentence | str:
     """One direction, all those in a plane, or any."""
     if len(directions) == 1:
-        return f"{word} {direction_name(directions[0])}"
+        return direction_name(directions[0])
     if len(directions) == 2:
-        return f"{word} any direction perpendicular to {direction_name(np.cross(*directions))}"
-    return f"{word} any direction"
+        normal = direction_name(np.cross(*directions))
+        return Sentence("any direction perpendicular to {normal}", normal=normal)
+    return Sentence("any direction")
 
 
 def direction_name(direction: Sequence[float] | FloatArray) -> str:

@@ -12,10 +12,11 @@ from gpswb.core.mesh import FloatArray, IntArray, Mesh
 from gpswb.core.partition import Partition, Region
 from gpswb.errors import InputError
 from gpswb.gps.alignment import align
-from gpswb.gps.gps_feature import GpsFeature, Material, Size
+from gpswb.gps.gps_feature import GpsFeature, Material, Size, numbered
 from gpswb.gps.same_surface import same_surface
 from gpswb.gps.tolerances import DEFAULT, Tolerances
 from gpswb.gps.twists import SituationFeature, perpendiculars, vector
+from gpswb.sentence import Sentence
 
 _NEEDS = {
     "planar": ("point", "normal"),
@@ -134,7 +135,12 @@ def _check(region: Region) -> None:
     lacking += [k for k in _SIZES.get(region.surface, ()) if k not in region.intrinsic]
     if lacking:
         raise InputError(
-            f"region {region.id} is {region.invariance_class} but has no {' or '.join(lacking)}"
+            Sentence(
+                "region {region} is {kind} but has no {lacking}",
+                region=region.id,
+                kind=Sentence(region.invariance_class),
+                lacking=", ".join(lacking),
+            )
         )
 
 
@@ -189,6 +195,28 @@ def _size(patch: _Patch, area: float, arc: float, least: float) -> tuple[Size | 
     return None, "axis" if region.invariance_class in ("revolute", "helical") else ""
 
 
+_WORDS = {
+    "plane": Sentence("Plane"),
+    "cylinder": Sentence("Cylinder"),
+    "sphere": Sentence("Sphere"),
+    "cone": Sentence("Cone"),
+    "torus": Sentence("Torus"),
+    "revolution": Sentence("Revolution"),
+    "extrusion": Sentence("Extrusion"),
+    "helicoid": Sentence("Helicoid"),
+    "freeform": Sentence("Freeform"),
+}
+"""What features of each surface are called."""
+
+
+def _word(surface: str, material: Material, size: Size | None) -> Sentence:
+    if (surface, material) == ("cylinder", "internal"):
+        return Sentence("Hole") if size else Sentence("Concave radius")
+    if (surface, material) == ("cylinder", "external"):
+        return Sentence("Shaft") if size else Sentence("Convex radius")
+    return _WORDS[surface]
+
+
 def _feature(
     id_: int, patch: _Patch, faces: tuple[str, ...], counts: Counter[str], tolerances: Tolerances
 ) -> GpsFeature:
@@ -202,14 +230,11 @@ def _feature(
     if region.surface in ("cylinder", "cone"):
         arc = arc_covered(points, situation["point"], situation["direction"])
     size, derived = _size(patch, area, arc, tolerances.size_arc)
-    word = {
-        ("cylinder", "internal"): "Hole" if size else "Concave radius",
-        ("cylinder", "external"): "Shaft" if size else "Convex radius",
-    }.get((region.surface, patch.material), region.surface.capitalize())
+    word = _word(region.surface, patch.material, size)
     counts[word] += 1
     return GpsFeature(
         id=id_,
-        name=f"{word} {counts[word]}",
+        name=numbered(word, counts[word]),
         kind="integral",
         invariance_class=region.invariance_class,
         surface=region.surface,

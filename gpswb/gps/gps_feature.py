@@ -12,6 +12,7 @@ import numpy as np
 from gpswb.core.invariance import InvarianceClass
 from gpswb.core.mesh import FloatArray
 from gpswb.gps.twists import SituationFeature
+from gpswb.sentence import Sentence
 
 Kind = Literal[
     "integral",
@@ -103,6 +104,11 @@ class GpsFeature:
     def of_linear_size(self) -> bool:
         """Whether this is a linear feature of size."""
         return self.size is not None and self.size.linear
+
+
+def numbered(word: Sentence, number: int) -> Sentence:
+    """A feature's name: what it is called, and which of these it is."""
+    return Sentence("{word} {number}", word=word, number=number)
 
 
 def group_of(

@@ -8,6 +8,7 @@ from difflib import get_close_matches
 
 from gpswb.errors import InputError
 from gpswb.gps.gps_feature import GpsFeature
+from gpswb.sentence import Sentence
 
 
 def features_on(
@@ -28,6 +29,11 @@ def features_on(
     return tuple(integral), tuple(sorted(wanted - known))
 
 
+def with_hint(said: Sentence, near: Sequence[str]) -> Sentence:
+    """A sentence on a wrong word, with what may have been meant."""
+    return Sentence("{said}; did you mean {word!r}?", said=said, word=near[0]) if near else said
+
+
 def chosen_features(features: Sequence[GpsFeature], text: str) -> tuple[GpsFeature, ...]:
     """Features of a choice as ``Face5+Face6`` or ``Hole 2``.
 
@@ -45,9 +51,11 @@ def chosen_features(features: Sequence[GpsFeature], text: str) -> tuple[GpsFeatu
             faces.append(word)
     found, unknown = features_on(features, faces)
     if unknown:
-        where = "" if unknown[0] == text.strip() else f" in {text!r}"
         known = [*(f.name for f in features), *(name for f in features for name in f.faces)]
         near = get_close_matches(unknown[0], known, 1)
-        hint = f"; did you mean {near[0]!r}?" if near else ""
-        raise InputError(f"{unknown[0]!r}{where} is neither a feature nor a face of one{hint}")
+        wrong: str = Sentence("{word!r}", word=unknown[0])
+        if unknown[0] != text.strip():
+            wrong = Sentence("{word!r} in {text!r}", word=unknown[0], text=text)
+        said = Sentence("{wrong} is neither a feature nor a face of one", wrong=wrong)
+        raise InputError(with_hint(said, near))
     return tuple(dict.fromkeys([*named, *found]))

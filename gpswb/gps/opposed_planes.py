@@ -9,9 +9,10 @@ from dataclasses import replace
 import numpy as np
 
 from gpswb.gps.facing import faced_first
-from gpswb.gps.gps_feature import GpsFeature, Size, group_of
+from gpswb.gps.gps_feature import GpsFeature, Size, group_of, numbered
 from gpswb.gps.tolerances import DEFAULT, Tolerances
 from gpswb.gps.twists import Frame, SituationFeature, vector
+from gpswb.sentence import Sentence
 
 # One of the planes has to face the other over half of itself ...
 _MOST = 0.5
@@ -72,7 +73,7 @@ def _compound(
     feature = group_of(
         (first, second),
         id_=id_,
-        name=f"{'Slot' if slot else 'Rib'} {number}",
+        name=numbered(Sentence("Slot") if slot else Sentence("Rib"), number),
         kind="slot" if slot else "rib",
         invariance_class="planar",
         situations=(SituationFeature("planar", middle, normal),),

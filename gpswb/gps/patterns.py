@@ -9,10 +9,11 @@ import numpy as np
 
 from gpswb.core.mesh import FloatArray
 from gpswb.gps.coaxial import axial_interval
-from gpswb.gps.gps_feature import GpsFeature, group_of
+from gpswb.gps.gps_feature import GpsFeature, group_of, numbered
 from gpswb.gps.invariance_of_union import invariance_of_union
 from gpswb.gps.tolerances import DEFAULT, Tolerances
 from gpswb.gps.twists import Frame, perpendiculars
+from gpswb.sentence import Sentence
 
 
 def hole_patterns(
@@ -159,7 +160,7 @@ def _compound(
     return group_of(
         group,
         id_=id_,
-        name=f"{'Hole' if holes else 'Pin'} pattern {number}",
+        name=numbered(Sentence("Hole pattern") if holes else Sentence("Pin pattern"), number),
         kind="hole pattern" if holes else "pin pattern",
         invariance_class=union.invariance_class,
         situations=tuple(f.place for f in group),

@@ -12,6 +12,7 @@ from gpswb.gps.explain import explain_freedom
 from gpswb.gps.gps_feature import GpsFeature
 from gpswb.gps.relation import Relation, relation
 from gpswb.gps.zones import zone_shape
+from gpswb.sentence import Sentence
 
 Status = Literal["recommended", "allowed", "not allowed"]
 Need = Literal["none", "optional", "required"]
@@ -37,12 +38,12 @@ class Specification:
     symbol: str
     group: Group
     status: Status
-    reason: str
+    reason: Sentence
     datum: Need
     datums: str
     modifiers: tuple[str, ...]
     combination: str
-    zone: str
+    zone: Sentence
     prefix: str
     value: str = "?"
 
@@ -164,51 +165,60 @@ def _recommended(feature: GpsFeature, kind: Family, stands: Relation | None) -> 
 
 def _judge(
     name: Characteristic, feature: GpsFeature, kind: Family, stands: Relation | None
-) -> tuple[Status, str]:
+) -> tuple[Status, Sentence]:
     rule = RULES[name]
     if kind not in rule.families:
-        return "not allowed", f"{feature.name}: {rule.otherwise}"
+        return "not allowed", Sentence("{feature}: {why}", feature=feature.name, why=rule.otherwise)
     if kind == "group" and rule.group in ("form", "run-out"):  # it is said of each by itself
         for surface in sorted(feature.surfaces):
             if GROUPED[surface] not in rule.families:
-                return "not allowed", f"{feature.name} holds a {surface}: {rule.otherwise}"
+                return "not allowed", Sentence(
+                    "{feature} holds a {surface}: {why}",
+                    feature=feature.name,
+                    surface=Sentence(surface),
+                    why=rule.otherwise,
+                )
     if name == "symmetry" and kind == "cylinder" and feature.size is None:
-        return "not allowed", "an arc of at most half a turn has no median line"
+        return "not allowed", Sentence("an arc of at most half a turn has no median line")
     if rule.group == "form":
-        each = ", for each of its features by itself" if kind == "group" else ""
-        return "allowed", f"form of the feature itself, without a datum{each}"
+        if kind == "group":
+            return "allowed", Sentence("form of each of its features by itself, without a datum")
+        return "allowed", Sentence("form of the feature itself, without a datum")
     if stands is None:
         if rule.group == "profile":
-            return "allowed", "without a datum it bounds the form"
+            return "allowed", Sentence("without a datum it bounds the form")
         if _need(name, kind, rule.group) == "optional":
-            return "allowed", "CZ holds the features of the group to one another, without a datum"
-        return "not allowed", "it needs a datum, and none stands before this feature"
+            return "allowed", Sentence(
+                "CZ holds the features of the group to one another, without a datum"
+            )
+        return "not allowed", Sentence("it needs a datum, and none stands before this feature")
     if rule.group == "orientation":
         return _judge_orientation(name, stands)
     if rule.group == "run-out" and not stands.turning:
-        return "not allowed", "it doesn't turn about an axis of these datums"
+        return "not allowed", Sentence("it doesn't turn about an axis of these datums")
     if name == "coaxiality" and not stands.coaxial:
-        return "not allowed", "its axis isn't a datum axis: use position"
+        return "not allowed", Sentence("its axis isn't a datum axis: use position")
     if name == "concentricity" and not stands.concentric:
-        return "not allowed", "its centre isn't on a datum axis or point: use position"
+        return "not allowed", Sentence("its centre isn't on a datum axis or point: use position")
     if name == "symmetry" and not stands.symmetric:
         return (
             "not allowed",
-            "its median feature isn't that of a datum: use position",
+            Sentence("its median feature isn't that of a datum: use position"),
         )
     if rule.group == "run-out":
-        return "allowed", "it turns about the datum axis"
+        return "allowed", Sentence("it turns about the datum axis")
     return "allowed", explain_freedom(stands.freedom)
 
 
-def _judge_orientation(name: Characteristic, stands: Relation) -> tuple[Status, str]:
+def _judge_orientation(name: Characteristic, stands: Relation) -> tuple[Status, Sentence]:
     if not stands.orientations:
-        return "not allowed", "the datums have no direction"
+        return "not allowed", Sentence("the datums have no direction")
     if name == "angularity":
-        return "allowed", "it serves any angle to the datums"
+        return "allowed", Sentence("it serves any angle to the datums")
     if name in stands.orientations:
-        return "allowed", "that is the nominal angle to a datum"
-    return "not allowed", (
-        f"the nominal angle to the first datum is {stands.angle_deg:.4g}°: "
-        f"use {stands.orientations[0]}"
+        return "allowed", Sentence("that is the nominal angle to a datum")
+    return "not allowed", Sentence(
+        "the nominal angle to the first datum is {angle:.4g}°: use {characteristic}",
+        angle=stands.angle_deg,
+        characteristic=Sentence(stands.orientations[0]),
     )

@@ -12,8 +12,9 @@ from gpswb.gps.characteristics import RULES, Characteristic
 from gpswb.gps.datum_system import Datum, datum_system, parse_datums
 from gpswb.gps.feature_table import FeatureTable
 from gpswb.gps.gps_feature import GpsFeature
-from gpswb.gps.on_faces import chosen_features
+from gpswb.gps.on_faces import chosen_features, with_hint
 from gpswb.gps.specifications import permitted_specifications
+from gpswb.sentence import Sentence, joined
 
 Letters = Mapping[str, tuple[GpsFeature, ...]]
 """The features behind each datum letter, in order of precedence."""
@@ -132,29 +133,42 @@ def _specify(row: SpecificationRow, table: FeatureTable, letters: Letters) -> Sp
     try:
         found = chosen_features(table.features, row.feature)
     except InputError as error:
-        raise InputError(f"specification {row.characteristic}: {error}") from None
+        raise InputError(
+            Sentence(
+                "specification {characteristic}: {why}",
+                characteristic=Sentence(row.characteristic),
+                why=str(error),
+            )
+        ) from None
     if len(found) != 1:
-        names = ", ".join(feature.name for feature in found)
-        raise InputError(f"specification of {row.feature!r}: that is {names}; name one feature")
+        raise InputError(
+            Sentence(
+                "specification of {feature!r}: that is {names}; name one feature",
+                feature=row.feature,
+                names=joined(", ", [feature.name for feature in found]),
+            )
+        )
     feature = found[0]
     if row.characteristic == "size":
         return _size_tolerance(row, feature)
     name = next((c for c in RULES if c == row.characteristic), None)
     if name is None:
         near = get_close_matches(row.characteristic, [*RULES, "size"], 1)
-        hint = f"; did you mean {near[0]!r}?" if near else ""
-        raise InputError(
-            f"{row.characteristic!r} is no characteristic of ISO 1101, nor 'size'{hint}"
+        said = Sentence(
+            "{word!r} is no characteristic of ISO 1101, nor 'size'", word=row.characteristic
         )
-    least = "of at least 0" if {"Ⓜ", "Ⓛ"} & set(row.modifiers) else "above 0"
-    if row.value is not None and (row.value < 0 or (row.value == 0 and least == "above 0")):
-        raise InputError(f"{name} of {row.feature!r} needs a value {least}, or none")
+        raise InputError(with_hint(said, near))
+    zero = bool({"Ⓜ", "Ⓛ"} & set(row.modifiers))
+    if row.value is not None and (row.value < 0 or (row.value == 0 and not zero)):
+        if zero:
+            raise _wrong(row, Sentence("it needs a value of at least 0, or none"))
+        raise _wrong(row, Sentence("it needs a value above 0, or none"))
     try:
         datums = parse_datums(row.datums, letters) if row.datums else ()
     except InputError as error:
-        raise InputError(f"{name} of {row.feature!r}: {error}") from None
+        raise _wrong(row, str(error)) from None
     if datums and RULES[name].group == "form":
-        raise InputError(f"{name} of {row.feature!r}: a form tolerance takes no datum")
+        raise _wrong(row, Sentence("a form tolerance takes no datum"))
     system = datum_system(datums, table.frame) if datums else None
     permitted = permitted_specifications(feature, system)
     rule = next(s for s in permitted if s.characteristic == name)
@@ -170,34 +184,50 @@ def _specify(row: SpecificationRow, table: FeatureTable, letters: Letters) -> Sp
     )
 
 
+def _wrong(row: SpecificationRow, why: str) -> InputError:
+    return InputError(
+        Sentence(
+            "{characteristic} of {feature!r}: {why}",
+            characteristic=Sentence(row.characteristic),
+            feature=row.feature,
+            why=why,
+        )
+    )
+
+
 def _modifier_remark(row: SpecificationRow, permitted: tuple[str, ...]) -> str:
     given = row.modifiers
     wrong = [m for m in given if m not in permitted]
     if wrong:
-        return f"{wrong[0]} doesn't go with it (ISO 2692)"
+        return Sentence("{modifier} doesn't go with it (ISO 2692)", modifier=wrong[0])
     if "Ⓜ" in given and "Ⓛ" in given:
-        return "Ⓜ and Ⓛ exclude each other (ISO 2692)"
+        return Sentence("Ⓜ and Ⓛ exclude each other (ISO 2692)")
     if "Ⓡ" in given and len(set(given)) == 1:
-        return "Ⓡ stands after Ⓜ or Ⓛ only (ISO 2692)"
+        return Sentence("Ⓡ stands after Ⓜ or Ⓛ only (ISO 2692)")
     return ""
 
 
 def _size_tolerance(row: SpecificationRow, feature: GpsFeature) -> SizeTolerance:
     if feature.size is None:
-        raise InputError(f"size of {row.feature!r}: {feature.name} is no feature of size")
+        raise _wrong(row, Sentence("{feature} is no feature of size", feature=feature.name))
     if row.fit:
         if not feature.size.linear:
-            raise InputError(f"size of {row.feature!r}: a tolerance class is for linear sizes")
+            raise _wrong(row, Sentence("a tolerance class is for linear sizes"))
         hole = row.fit[0].isupper()
         if feature.material == ("external" if hole else "internal"):
-            whose = "holes and slots" if hole else "shafts and ribs"
-            raise InputError(
-                f"size of {row.feature!r}: {row.fit} is a class of {whose}, {feature.name} is "
-                f"{feature.material}"
-            )
+            values = {"fit": row.fit, "feature": feature.name}
+            if hole:
+                said = Sentence(
+                    "{fit} is a class of holes and slots, {feature} is external", **values
+                )
+            else:
+                said = Sentence(
+                    "{fit} is a class of shafts and ribs, {feature} is internal", **values
+                )
+            raise _wrong(row, said)
         return SizeTolerance(feature, None, None, row.fit)
     if (row.upper is None) != (row.lower is None):
-        raise InputError(f"size of {row.feature!r} needs both deviations, or none")
+        raise _wrong(row, Sentence("it needs both deviations, or none"))
     if row.upper is not None and row.lower is not None and row.lower > row.upper:
-        raise InputError(f"size of {row.feature!r}: the lower deviation is above the upper one")
+        raise _wrong(row, Sentence("the lower deviation is above the upper one"))
     return SizeTolerance(feature, row.lower, row.upper)

@@ -11,6 +11,7 @@ import numpy as np
 from gpswb.core.invariance import InvarianceClass
 from gpswb.core.mesh import FloatArray
 from gpswb.errors import InputError
+from gpswb.sentence import Sentence
 
 Vector = tuple[float, float, float]
 
@@ -60,7 +61,9 @@ class Frame:
     def around(points: FloatArray) -> Frame:
         """Centre and diagonal of the box of points (n, 3); InputError if it has no extent."""
         if not len(points) or not np.ptp(points, axis=0).any():
-            raise InputError(f"a part of {len(points)} points without extent has no GPS features")
+            raise InputError(
+                Sentence("a part of {n} points without extent has no GPS features", n=len(points))
+            )
         low, high = points.min(axis=0), points.max(axis=0)
         length = float(np.linalg.norm(high - low))
         return Frame(vector((low + high) / 2), length)

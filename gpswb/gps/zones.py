@@ -4,38 +4,43 @@
 from __future__ import annotations
 
 from gpswb.gps.characteristics import RULES, Characteristic, Family
+from gpswb.sentence import Sentence
 
-_PLANES = "between two parallel planes"
-_FIXED: dict[Characteristic, str] = {
+_PLANES = Sentence("between two parallel planes")
+_FIXED: dict[Characteristic, Sentence] = {
     "flatness": _PLANES,
-    "roundness": "between two concentric circles in each section",
-    "cylindricity": "between two coaxial cylinders",
-    "line profile": "between two lines equidistant from the nominal line, in each section",
-    "surface profile": "between two surfaces equidistant from the nominal surface",
+    "roundness": Sentence("between two concentric circles in each section"),
+    "cylindricity": Sentence("between two coaxial cylinders"),
+    "line profile": Sentence(
+        "between two lines equidistant from the nominal line, in each section"
+    ),
+    "surface profile": Sentence("between two surfaces equidistant from the nominal surface"),
     "symmetry": _PLANES,
 }
 
 
-def zone_shape(characteristic: Characteristic, kind: Family) -> tuple[str, str]:
+def zone_shape(characteristic: Characteristic, kind: Family) -> tuple[Sentence, str]:
     """Shape of the zone in words, and what stands before the value: nothing, Ø or SØ."""
     if characteristic in _FIXED:
         return _FIXED[characteristic], ""
     if characteristic == "straightness":
-        median = ", or a cylinder Ø for the median line" if kind == "cylinder" else ""
-        return f"between two parallel straight lines for each line element{median}", ""
+        lines = Sentence("between two parallel straight lines for each line element")
+        if kind != "cylinder":
+            return lines, ""
+        return Sentence("{lines}, or a cylinder Ø for the median line", lines=lines), ""
     if characteristic == "circular run-out":
         if kind == "plane":
-            return "between two equal circles on each cylinder about the datum axis", ""
-        return "between two concentric circles about the datum axis, in each section", ""
+            return Sentence("between two equal circles on each cylinder about the datum axis"), ""
+        return Sentence("between two concentric circles about the datum axis, in each section"), ""
     if characteristic == "total run-out":
         if kind == "plane":
-            return "between two parallel planes perpendicular to the datum axis", ""
-        return "between two cylinders about the datum axis", ""
+            return Sentence("between two parallel planes perpendicular to the datum axis"), ""
+        return Sentence("between two cylinders about the datum axis"), ""
     if characteristic == "concentricity" and kind != "sphere":
-        return "circle about the datum's centre, in each section", "Ø"
+        return Sentence("circle about the datum's centre, in each section"), "Ø"
     if kind == "sphere":
-        return "sphere", "SØ"
+        return Sentence("sphere"), "SØ"
     planar = kind in ("plane", "opposed planes", "prismatic")
     if planar and RULES[characteristic].group in ("orientation", "location"):
         return _PLANES, ""
-    return "cylinder", "Ø"
+    return Sentence("cylinder"), "Ø"

@@ -13,6 +13,7 @@ from typing import Any
 from gpswb.errors import InputError
 from gpswb.gui.face_keys import FaceKey, face_key
 from gpswb.io.specification_file import COLUMNS
+from gpswb.sentence import Sentence
 
 SCHEMA = "gpswb-annotation/1"
 WORDS = tuple(name for name in COLUMNS if name != "feature")
@@ -65,7 +66,13 @@ def read_record(text: str) -> Record:
     try:
         entry = json.loads(text)
         if entry["schema"] != SCHEMA:
-            raise InputError(f"the annotation is of schema {entry['schema']!r}, not {SCHEMA!r}")
+            raise InputError(
+                Sentence(
+                    "the annotation is of schema {found!r}, not {known!r}",
+                    found=entry["schema"],
+                    known=SCHEMA,
+                )
+            )
         if entry["kind"] == "datum":
             return DatumRecord(letter_of(entry["letter"]), _faces(entry))
         if entry["kind"] == "datum system":
@@ -75,7 +82,7 @@ def read_record(text: str) -> Record:
             return SpecificationRecord(_faces(entry), words)
         raise ValueError(f"kind {entry['kind']!r}")
     except (AttributeError, KeyError, TypeError, ValueError, RecursionError) as error:
-        raise InputError(f"the annotation is damaged ({error})") from None
+        raise InputError(Sentence("the annotation is damaged ({error})", error=error)) from None
 
 
 def letter_of(text: Any) -> str:
@@ -85,7 +92,7 @@ def letter_of(text: Any) -> str:
         InputError: it is none: one to three capitals, without a hyphen.
     """
     if not isinstance(text, str) or not re.fullmatch("[A-Z]{1,3}", text):
-        raise InputError(f"{text!r} is no datum letter; A to ZZZ are")
+        raise InputError(Sentence("{text!r} is no datum letter; A to ZZZ are", text=text))
     return text
 
 

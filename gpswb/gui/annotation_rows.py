@@ -14,6 +14,7 @@ from gpswb.gui.objects.annotation import annotations_of, record_of
 from gpswb.gui.partition_result import effective_result
 from gpswb.io.specification_file import specification_row
 from gpswb.io.stored_result import StoredResult
+from gpswb.sentence import Sentence, joined
 
 UNPLACED = "can't be placed"
 """Status of an annotation that doesn't fit the part."""
@@ -33,7 +34,7 @@ def specification_rows(partition: Any) -> list[SpecificationRow]:
             try:
                 rows.append(row_of(stored, record))
             except InputError as error:
-                raise InputError(f"{obj.Label}: {error}") from None
+                raise InputError(joined(": ", [obj.Label, str(error)])) from None
     return rows
 
 
@@ -56,7 +57,7 @@ def row_of(stored: StoredResult, record: SpecificationRecord) -> SpecificationRo
 
 def faces_now(
     stored: StoredResult, faces: Sequence[FaceKey]
-) -> tuple[tuple[FaceKey, ...], list[str]]:
+) -> tuple[tuple[FaceKey, ...], list[Sentence]]:
     """The faces of an annotation as they are now, and notes on those that moved or changed.
 
     Raises:
@@ -65,7 +66,7 @@ def faces_now(
     keys = face_keys(stored)
     found, notes = find_faces(faces, keys, stored.solid.mesh.diagonal)
     if not found:
-        raise InputError("; ".join(notes) or "it has no face")
+        raise InputError(joined("; ", notes) or Sentence("it has no face"))
     return tuple(keys[i] for i in found), notes
 
 

@@ -21,6 +21,7 @@ from gpswb.gps.explain import explain_datum_system
 from gpswb.gps.feature_table import FeatureTable
 from gpswb.gps.specifications import permitted_specifications
 from gpswb.gps.specified import GeometricalTolerance, Specified, specify
+from gpswb.gui import compat
 from gpswb.gui.annotation_record import DatumRecord, SystemRecord
 from gpswb.gui.annotation_rows import UNPLACED, choice_of, faces_now, row_of
 from gpswb.gui.frame_axes import axes_of, placement_of
@@ -29,6 +30,7 @@ from gpswb.gui.objects.annotation import annotations_of, record_of
 from gpswb.gui.part_features import features_of
 from gpswb.gui.partition_result import effective_result
 from gpswb.io.stored_result import StoredResult
+from gpswb.sentence import Sentence, joined
 
 
 def refresh_annotations(partition: Any, without: Any = None) -> None:
@@ -54,11 +56,11 @@ def refresh_annotations(partition: Any, without: Any = None) -> None:
                 continue
             faces, notes = faces_now(stored, record.faces)
             obj.Faces = [(partition.Source, tuple(face.name for face in faces))]
-            obj.Message = "; ".join(notes)
+            obj.Message = compat.say(joined("; ", notes))
             if isinstance(record, DatumRecord):
                 datums[record.letter] = choice_of(faces)
         except GpswbError as error:
-            obj.Status, obj.Message = UNPLACED, str(error)
+            obj.Status, obj.Message = UNPLACED, compat.say(str(error))
     annotation = _in_force(stored, datums, notation)
     partition.Datums = ",".join(f"{letter}={choice}" for letter, choice in datums.items())
     partition.DatumSystem = notation if annotation.given else ""
@@ -86,27 +88,37 @@ def _describe(obj: Any, stored: StoredResult, annotation: Annotation) -> None:
         if isinstance(record, SystemRecord):
             system = annotation.system
             if system is None or not annotation.given:
-                raise InputError("none of its datums is there")
+                raise InputError(Sentence("none of its datums is there"))
             if system.notation != record.notation:
-                raise InputError(f"a datum of {record.notation} isn't there")
-            obj.Label = f"Datum system {system.notation}"
+                raise InputError(
+                    Sentence("a datum of {system} isn't there", system=record.notation)
+                )
+            obj.Label = compat.say(Sentence("Datum system {system}", system=system.notation))
             obj.Status = "complete" if system.degrees >= annotation.needed else "not complete"
-            obj.Message = explain_datum_system(system, annotation.needed)
+            obj.Message = compat.say(explain_datum_system(system, annotation.needed))
             return
         if isinstance(record, DatumRecord):
             features = annotation.letters[record.letter]
-            obj.Label, obj.Cells = f"Datum {record.letter}", [record.letter]
+            obj.Label = compat.say(Sentence("Datum {letter}", letter=record.letter))
+            obj.Cells = [record.letter]
             obj.Status, obj.Message = "allowed", notes
         else:
             (said,) = specify([row_of(stored, record)], annotation.table, annotation.letters)
             features = (said.feature,)
-            obj.Label = f"{record.words['characteristic'].capitalize()} of {said.feature.name}"
+            obj.Label = _label(record.words["characteristic"], said.feature.name)
             obj.Cells = list(said.cells)
             obj.Status, why = _judged(said, annotation.table)
-            obj.Message = "; ".join(text for text in (why, notes) if text)
+            obj.Message = "; ".join(text for text in (compat.say(why), notes) if text)
         obj.Feature = ", ".join(feature.name for feature in features)
     except GpswbError as error:
-        obj.Status, obj.Message = UNPLACED, str(error)
+        obj.Status, obj.Message = UNPLACED, compat.say(str(error))
+
+
+def _label(characteristic: str, feature: str) -> str:
+    text = compat.say(
+        Sentence("{what} of {feature}", what=Sentence(characteristic), feature=feature)
+    )
+    return text[:1].upper() + text[1:]
 
 
 def _judged(said: Specified, table: FeatureTable) -> tuple[str, str]:

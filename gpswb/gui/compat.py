@@ -8,6 +8,8 @@ from typing import Any
 
 import FreeCAD
 
+from gpswb.sentence import Sentence
+
 if FreeCAD.GuiUp:
     from PySide import QtCore, QtGui
 
@@ -32,6 +34,13 @@ def QT_TRANSLATE_NOOP(context: str, text: str) -> str:
     return text
 
 
+def say(text: str) -> str:
+    """A sentence in the user's language; any other text as it is."""
+    if not isinstance(text, Sentence):
+        return text
+    return text.said(lambda template: str(translate("GPS", template)))
+
+
 def main_window() -> Any:
     """FreeCAD's window."""
     import FreeCADGui
@@ -41,12 +50,14 @@ def main_window() -> Any:
 
 def show_error(text: str) -> None:
     """One line that the user can't miss; in the report view, too."""
+    text = say(text)
     FreeCAD.Console.PrintError(f"GPS: {text}\n")
     QtWidgets.QMessageBox.warning(main_window(), "GPS", text)
 
 
 def show_note(text: str) -> None:
     """What there is to know of something that was done, for the user to read or to pass over."""
+    text = say(text)
     FreeCAD.Console.PrintMessage(f"GPS: {text}\n")
     box = QtWidgets.QMessageBox(main_window())
     box.setIcon(QtWidgets.QMessageBox.Information)
@@ -70,7 +81,7 @@ def has_window() -> bool:
 
 def warn(text: str) -> None:
     """Say it in FreeCAD's report view."""
-    FreeCAD.Console.PrintWarning(f"GPS: {text}\n")
+    FreeCAD.Console.PrintWarning(f"GPS: {say(text)}\n")
 
 
 def selection_colour() -> Colour:

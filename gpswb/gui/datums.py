@@ -21,6 +21,7 @@ from gpswb.gui.face_keys import named_faces
 from gpswb.gui.objects.annotation import annotations_of, put_annotation, record_of
 from gpswb.gui.part_features import features_of
 from gpswb.gui.partition_result import effective_result, stored_datums
+from gpswb.sentence import Sentence
 
 DatumChoice = tuple[str, Sequence[str]]
 """A letter and the names of its faces."""
@@ -67,7 +68,7 @@ def add_datum(partition: Any, letter: str, faces: Sequence[str]) -> Any:
     """
     present = datums_of(partition)
     if letter in dict(present):
-        raise InputError(f"datum {letter} is given twice")
+        raise InputError(Sentence("datum {letter} is given twice", letter=letter))
     notation = partition.DatumSystem
     set_datums(
         partition, [*present, (letter, faces)], f"{notation}|{letter}" if notation else letter
@@ -83,7 +84,7 @@ def take_suggestion(partition: Any, rank: int = 0) -> Any:
     """
     suggestions = suggested_datums(partition)
     if rank >= len(suggestions):
-        raise InputError("there is no such suggestion")
+        raise InputError(Sentence("there is no such suggestion"))
     return set_datums(partition, suggestions[rank])
 
 

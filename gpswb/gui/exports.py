@@ -30,6 +30,7 @@ from gpswb.io.specification_file import write_specifications
 from gpswb.io.stored_result import StoredResult
 from gpswb.io.whole import whole_file
 from gpswb.report.part_report import write_report
+from gpswb.sentence import Sentence
 
 
 def _plain(obj: Any) -> StoredResult:
@@ -102,8 +103,11 @@ def _ap242(path: Path, obj: Any) -> str:
             obj.Source.Shape.exportStep(str(plain))
             text = read_text(plain)
         write_verified_ap242(path, text, solid, *pmi)
-        return f"PMI is not on the original STEP text but on the part as FreeCAD writes it: {error}"
-    return f"PMI is appended to the text of {obj.Source.StepFile}"
+        return Sentence(
+            "PMI is not on the original STEP text but on the part as FreeCAD writes it: {why}",
+            why=str(error),
+        )
+    return Sentence("PMI is appended to the text of {path}", path=obj.Source.StepFile)
 
 
 def _qif(path: Path, obj: Any) -> None:
@@ -147,10 +151,23 @@ def export(obj: Any, path: Path) -> str:
     name = path.name.lower()
     fitting = [suffix for suffix in FORMATS if name.endswith(suffix)]
     if not fitting:
-        raise InputError(f"{path.name}: the name must end in one of {', '.join(FORMATS)}")
+        raise InputError(
+            Sentence(
+                "{name}: the name must end in one of {suffixes}",
+                name=path.name,
+                suffixes=", ".join(FORMATS),
+            )
+        )
     suffix = max(fitting, key=len)
     kind, write = FORMATS[suffix]
     if suffix not in formats_of(obj):
-        raise InputError(f"{path.name}: {kind}: {obj.Source.Label} is a mesh without CAD faces")
+        raise InputError(
+            Sentence(
+                "{name}: {kind}: {part} is a mesh without CAD faces",
+                name=path.name,
+                kind=Sentence(kind),
+                part=obj.Source.Label,
+            )
+        )
     with whole_file(path) as draft:
         return write(draft, obj) or ""

@@ -12,6 +12,7 @@ import numpy as np
 from gpswb.errors import InputError
 from gpswb.gui.pieces import PIECE
 from gpswb.io.stored_result import StoredResult
+from gpswb.sentence import Sentence
 
 SAME_AREA = 1e-6
 """Relative: areas come from the kernel and repeat to rounding."""
@@ -60,13 +61,17 @@ def named_faces(stored: StoredResult, names: Sequence[str]) -> tuple[FaceKey, ..
     known = {key.name: key for key in face_keys(stored)}
     missing = [name for name in names if name not in known]
     if missing or not names:
-        raise InputError(f"no face {missing[0]!r}" if missing else "no face is chosen")
+        raise InputError(
+            Sentence("no face {name!r}", name=missing[0])
+            if missing
+            else Sentence("no face is chosen")
+        )
     return tuple(known[name] for name in dict.fromkeys(names))
 
 
 def find_faces(
     wanted: Sequence[FaceKey], keys: Sequence[FaceKey], diagonal: float
-) -> tuple[list[int], list[str]]:
+) -> tuple[list[int], list[Sentence]]:
     """Indices of faces in a part as it is now, and notes on those that moved, changed or went.
 
     Args:
@@ -75,20 +80,22 @@ def find_faces(
     """
     by_name = {key.name: i for i, key in enumerate(keys)}
     found: list[int] = []
-    notes: list[str] = []
+    notes: list[Sentence] = []
     for face in wanted:
         same = by_name.get(face.name)
         alike = [i for i, key in enumerate(keys) if _alike(key, face, diagonal)]
         if same is not None and same in alike:
             found.append(same)
         elif len(alike) == 1:
-            notes.append(f"{face.name} is now {keys[alike[0]].name}")
+            notes.append(
+                Sentence("{face} is now {other}", face=face.name, other=keys[alike[0]].name)
+            )
             found.append(alike[0])
         elif same is not None and not face.name.startswith(PIECE):  # numbers of regions say nothing
-            notes.append(f"{face.name} has changed")
+            notes.append(Sentence("{face} has changed", face=face.name))
             found.append(same)
         else:
-            notes.append(f"{face.name} is gone")
+            notes.append(Sentence("{face} is gone", face=face.name))
     return list(dict.fromkeys(found)), notes
 
 

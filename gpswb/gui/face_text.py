@@ -11,6 +11,7 @@ from gpswb.core.partition import Region
 from gpswb.errors import InputError
 from gpswb.gui.compat import QT_TRANSLATE_NOOP, translate
 from gpswb.io.stored_result import StoredResult
+from gpswb.sentence import Sentence
 from gpswb.validation.face_result import FaceResult
 
 _NAMES = {
@@ -42,7 +43,7 @@ def face_rows(stored: StoredResult, name: str) -> list[tuple[str, str]]:
     """
     face = next((face for face in stored.faces if face.name == name), None)
     if face is None:
-        raise InputError(f"no face {name!r}")
+        raise InputError(Sentence("no face {name!r}", name=name))
     rows = [(translate("GPS", "Class"), translate("GPS", face.invariance_class or "none"))]
     if face.undecided:
         classes = ", ".join(translate("GPS", each) for each in face.undecided)

@@ -13,6 +13,7 @@ from gpswb.cad.sniff import sniff
 from gpswb.errors import InputError
 from gpswb.gui import compat
 from gpswb.gui.original_file import remember_file
+from gpswb.sentence import Sentence
 
 SUFFIXES = (".step", ".stp", ".p21", ".brep", ".brp")
 MESHES, CLOUDS = (".stl", ".ply", ".obj", ".off"), (".asc", ".xyz", ".pcd")
@@ -52,15 +53,19 @@ def import_part(path: Path, document: Any) -> list[Any]:
 
             Import.insert(str(path), document.Name)
     except (FreeCAD.Base.FreeCADError, OSError, RuntimeError, ValueError) as error:
-        reason = str(error).strip().splitlines()[:1] or ["unknown reason"]
-        raise InputError(f"{path}: FreeCAD can't read the file ({reason[0]})") from None
+        reason = [*str(error).strip().splitlines(), "–"][0]
+        raise InputError(
+            Sentence("{path}: FreeCAD can't read the file ({reason})", path=path, reason=reason)
+        ) from None
     new = [obj for obj in document.Objects if obj.Name not in before]
     document.recompute(new)
     found = [obj for obj in new if _usable(obj)]
     if len(found) == 1:  # the name in a STEP file is often that of the program that wrote it
         found[0].Label = path.stem
     if not found:
-        raise InputError(f"{path}: the file holds {'no faces' if form else 'nothing to partition'}")
+        if form:
+            raise InputError(Sentence("{path}: the file holds no faces", path=path))
+        raise InputError(Sentence("{path}: the file holds nothing to partition", path=path))
     if form == "step":
         for obj in found:
             remember_file(obj, path, sha256)

@@ -21,6 +21,7 @@ from gpswb.errors import InputError
 from gpswb.gui.fingerprint import shape_fingerprint
 from gpswb.io.ap242.part21 import Part21
 from gpswb.io.ap242.write import read_text
+from gpswb.sentence import Sentence
 
 _PROPERTIES = (
     ("App::PropertyString", "StepFile", "File that the part was imported from"),
@@ -46,12 +47,14 @@ def original_of(part: Any, solid: Solid) -> tuple[Part21, Solid]:
         InputError: the part knows no file, or one of the two has changed.
     """
     if not getattr(part, "StepFile", ""):
-        raise InputError("the part wasn't imported from a STEP file by GPS")
+        raise InputError(Sentence("the part wasn't imported from a STEP file by GPS"))
     path = Path(part.StepFile)
     if sniff(path)[1] != part.StepSha256:
-        raise InputError(f"{path} has changed since the part was imported")
+        raise InputError(Sentence("{path} has changed since the part was imported", path=path))
     if _unmoved(part) != part.StepShape:
-        raise InputError(f"the part has changed since it was imported from {path}")
+        raise InputError(
+            Sentence("the part has changed since it was imported from {path}", path=path)
+        )
     move = part.StepPlacement.multiply(part.Placement.inverse()).toMatrix()
     matrix = np.array(move.A).reshape(4, 4)
     vertices = solid.mesh.vertices @ matrix[:3, :3].T + matrix[:3, 3]

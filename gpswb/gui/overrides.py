@@ -29,6 +29,7 @@ from gpswb.errors import InputError
 from gpswb.gui.face_keys import FaceKey, face_key, face_keys, find_faces, named_faces
 from gpswb.io.result_json import face_entry, finite, region_entry
 from gpswb.io.stored_result import StoredResult, read_region
+from gpswb.sentence import Sentence, joined
 from gpswb.validation.face_result import map_back
 
 Action = Literal["merge", "split", "class"]
@@ -56,9 +57,9 @@ def override_on(
     """
     named = named_faces(stored, faces)
     if action == "merge" and len(faces) < 2:
-        raise InputError("merging takes at least two faces")
+        raise InputError(Sentence("merging takes at least two faces"))
     if (action == "class") != (invariance_class is not None):
-        raise InputError("a class is given with the action 'class', and only with it")
+        raise InputError(Sentence("a class is given with the action 'class', and only with it"))
     return Override(action, named, invariance_class)
 
 
@@ -77,7 +78,9 @@ def from_json(text: str) -> tuple[Override, ...]:
         entries = json.loads(text) if text else []
         return tuple(_override(entry) for entry in entries)
     except (KeyError, TypeError, ValueError) as error:
-        raise InputError(f"the stored overrides are damaged ({error})") from None
+        raise InputError(
+            Sentence("the stored overrides are damaged ({error})", error=error)
+        ) from None
 
 
 def regions_to_json(described: Mapping[str, Region]) -> str:
@@ -95,7 +98,9 @@ def regions_from_json(text: str) -> dict[str, Region]:
     try:
         return {key: read_region(entry) for key, entry in json.loads(text or "{}").items()}
     except (AttributeError, KeyError, TypeError, ValueError) as error:
-        raise InputError(f"the stored overrides are damaged ({error})") from None
+        raise InputError(
+            Sentence("the stored overrides are damaged ({error})", error=error)
+        ) from None
 
 
 @dataclass(frozen=True, eq=False)
@@ -109,7 +114,7 @@ class Effective:
     """
 
     stored: StoredResult
-    notes: tuple[str, ...]
+    notes: tuple[Sentence, ...]
     described: Mapping[str, Region]
 
 
@@ -155,15 +160,15 @@ class Group:
 
 def _regrouped(
     stored: StoredResult, facemap: FaceMap, overrides: Sequence[Override]
-) -> tuple[IntArray, list[Group], list[str]]:
+) -> tuple[IntArray, list[Group], list[Sentence]]:
     """(m,) number of each facet's region, the regions that are new, and notes."""
-    notes: list[str] = []
+    notes: list[Sentence] = []
     keys = face_keys(stored)
     label = stored.partition.region.copy()
     groups: list[Group] = []
     for each in overrides:
         faces, moved = find_faces(each.faces, keys, stored.solid.mesh.diagonal)
-        notes += [f"{each.action}: {note}" for note in moved]
+        notes += [joined(": ", [Sentence(each.action), note]) for note in moved]
         touched = [np.flatnonzero(facemap.face_of_triangle == face) for face in faces]
         touched = [facets[label[facets] >= 0] for facets in touched]
         if each.action == "split":

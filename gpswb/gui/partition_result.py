@@ -11,6 +11,7 @@ from gpswb.errors import InputError
 from gpswb.gui.overrides import Effective, apply_overrides, from_json, regions_from_json
 from gpswb.gui.pieces import with_pieces
 from gpswb.io.stored_result import StoredResult, read_stored_result
+from gpswb.sentence import Sentence
 
 
 def stored_result(obj: Any) -> StoredResult:
@@ -20,14 +21,16 @@ def stored_result(obj: Any) -> StoredResult:
         InputError: there is none yet, or it is damaged.
     """
     if not obj.Result or not obj.Labels:
-        raise InputError(f"{obj.Label} has no result yet")
+        raise InputError(Sentence("{part} has no result yet", part=obj.Label))
     known = _read.get(obj.Labels)
     if known is not None and known[0] == hash(obj.Result):
         return known[1]
     try:
         document = json.loads(obj.Result)
     except ValueError as error:
-        raise InputError(f"the result of {obj.Label} is damaged ({error})") from None
+        raise InputError(
+            Sentence("the result of {part} is damaged ({error})", part=obj.Label, error=error)
+        ) from None
     return keep(obj, read_run(document, Path(obj.Labels)))
 
 
@@ -50,7 +53,7 @@ _read: dict[str, tuple[int, StoredResult]] = {}
 """The result that was read last, by file and run: it takes a second for a million triangles."""
 
 
-def effective_result(obj: Any) -> tuple[StoredResult, tuple[str, ...]]:
+def effective_result(obj: Any) -> tuple[StoredResult, tuple[Sentence, ...]]:
     """The result with the user's overrides, and notes on those that found no place.
 
     Raises:
@@ -87,6 +90,8 @@ def stored_datums(obj: Any) -> tuple[tuple[str, str], ...]:
     for part in filter(None, (part.strip() for part in obj.Datums.split(","))):
         letter, equals, choice = (piece.strip() for piece in part.partition("="))
         if not (equals and choice and letter.isascii() and letter.isupper()):
-            raise InputError(f"{part!r} is no datum; write A=Face1,B=Face5+Face6")
+            raise InputError(
+                Sentence("{text!r} is no datum; write A=Face1,B=Face5+Face6", text=part)
+            )
         found.append((letter, choice))
     return tuple(found)

@@ -83,6 +83,13 @@ WORDS = (
     QT_TRANSLATE_NOOP("GPS", "recommended"),
     QT_TRANSLATE_NOOP("GPS", "allowed"),
     QT_TRANSLATE_NOOP("GPS", "not allowed"),
+    # what the user knows better, and what a specification says
+    QT_TRANSLATE_NOOP("GPS", "merge"),
+    QT_TRANSLATE_NOOP("GPS", "split"),
+    QT_TRANSLATE_NOOP("GPS", "class"),
+    QT_TRANSLATE_NOOP("GPS", "value"),
+    QT_TRANSLATE_NOOP("GPS", "upper"),
+    QT_TRANSLATE_NOOP("GPS", "lower"),
     # files
     QT_TRANSLATE_NOOP("GPS", "Report"),
     QT_TRANSLATE_NOOP("GPS", "Result"),

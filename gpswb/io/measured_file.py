@@ -20,6 +20,7 @@ from gpswb.io import cloud_file, mesh_file
 from gpswb.io.length_units import MILLIMETRES, SPELLINGS
 from gpswb.scan.cloud import mesh_cloud
 from gpswb.scan.repair import repair
+from gpswb.sentence import joined
 
 SMALLEST, LARGEST = 1e-6, 1e9
 """Extents that a part may have, mm; beyond them numbers overflow, or the unit is wrong."""
@@ -128,7 +129,7 @@ def solid_of_parts(
             mesh, pointmap = cloud.mesh, PointMap(vertices, vertex)
             told, mesher = (*told, *cloud.notes), "advancing front"
     except (InputError, ValueError) as error:
-        raise InputError(f"{source}: {error}") from error
+        raise InputError(joined(": ", [source, str(error)])) from error
     return Solid(mesh, None, source, unit, "as read", mesher, (*notes, *told), "", {}, pointmap)
 
 

@@ -15,6 +15,7 @@ from typing import Any
 from gpswb.errors import InputError
 from gpswb.gps.specified import SpecificationRow
 from gpswb.io.csv_table import write_csv
+from gpswb.sentence import Sentence
 
 COLUMNS = ("feature", "characteristic", "value", "datums", "modifiers", "upper", "lower", "fit")
 _NUMBERS = ("value", "upper", "lower")
@@ -104,16 +105,31 @@ def specification_row(where: str, row: Mapping[str, Any]) -> SpecificationRow:
     """
     unknown = [str(key) for key in row if key not in COLUMNS]
     if unknown:
-        raise InputError(f"{where}: {unknown[0]!r} is none of {', '.join(COLUMNS)}")
+        raise InputError(
+            Sentence(
+                "{where}: {word!r} is none of {known}",
+                where=where,
+                word=unknown[0],
+                known=", ".join(COLUMNS),
+            )
+        )
     words = {key: _word(where, key, row.get(key)) for key in COLUMNS}
     if not words["feature"] or not words["characteristic"]:
-        raise InputError(f"{where}: feature and characteristic are needed")
+        raise InputError(Sentence("{where}: feature and characteristic are needed", where=where))
     modifiers = [c for c in words["modifiers"].upper() if not c.isspace() and c not in ",()"]
     wrong = [c for c in modifiers if c not in _MODIFIERS]
     if wrong:
-        raise InputError(f"{where}: modifier {wrong[0]!r} is none of M, L, R")
+        raise InputError(
+            Sentence("{where}: modifier {word!r} is none of M, L, R", where=where, word=wrong[0])
+        )
     if words["fit"] and not _FIT.fullmatch(words["fit"]):
-        raise InputError(f"{where}: {words['fit']!r} is no tolerance class as H7 or g6")
+        raise InputError(
+            Sentence(
+                "{where}: {word!r} is no tolerance class as H7 or g6",
+                where=where,
+                word=words["fit"],
+            )
+        )
     return SpecificationRow(
         feature=words["feature"],
         characteristic=words["characteristic"].lower(),
@@ -130,7 +146,9 @@ def _word(where: str, key: str, value: Any) -> str:
     if value is None:
         return ""
     if isinstance(value, bool) or not isinstance(value, str | int | float):
-        raise InputError(f"{where}: {key} is neither text nor a number")
+        raise InputError(
+            Sentence("{where}: {key} is neither text nor a number", where=where, key=Sentence(key))
+        )
     return str(value).strip()
 
 
@@ -143,5 +161,9 @@ def _number(where: str, key: str, text: str) -> float | None:
     except ValueError:
         number = math.nan
     if not math.isfinite(number):
-        raise InputError(f"{where}: {key} {text!r} is not a number")
+        raise InputError(
+            Sentence(
+                "{where}: {key} {text!r} is not a number", where=where, key=Sentence(key), text=text
+            )
+        )
     return number

@@ -11,6 +11,7 @@ from contextlib import contextmanager
 from pathlib import Path
 
 from gpswb.errors import OutputError
+from gpswb.sentence import Sentence
 
 
 @contextmanager
@@ -28,7 +29,7 @@ def whole_directory(out: Path, owned: tuple[str, ...]) -> Iterator[Path]:
         OutputError: ``out`` is a file, or can't be written.
     """
     if out.exists() and not out.is_dir():
-        raise OutputError(f"can't write {out}: it is a file, not a directory")
+        raise OutputError(Sentence("can't write {path}: it is a file, not a directory", path=out))
     out = out.absolute()
     made = _make_parents(out)
     try:
@@ -131,4 +132,6 @@ def _remove(directories: list[Path]) -> None:
 
 
 def _unwritable(path: Path, error: OSError) -> OutputError:
-    return OutputError(f"can't write {path}: {error.strerror or error}")
+    return OutputError(
+        Sentence("can't write {path}: {why}", path=path, why=error.strerror or error)
+    )

@@ -16,6 +16,7 @@ from gpswb.scan.orientation import components
 from gpswb.scan.outliers import lonely
 from gpswb.scan.repair import orient, topology_notes
 from gpswb.scan.thinning import thin
+from gpswb.sentence import Sentence
 
 MOST_POINTS = 5_000_000
 """Points read at most: memory, about 1 GB then."""
@@ -72,12 +73,19 @@ def mesh_cloud(points: FloatArray, most: int = MOST_VERTICES) -> MeshedCloud:
     """
     n = len(points)
     if n > MOST_POINTS:
-        raise InputError(f"{n} points are more than {MOST_POINTS}: thin the cloud first")
+        raise InputError(
+            Sentence("{n} points are more than {most}: thin the cloud first", n=n, most=MOST_POINTS)
+        )
     distinct, copy = np.unique(points, axis=0, return_inverse=True)
     copy = copy.reshape(-1)
     if len(distinct) < LEAST_POINTS:
         raise InputError(
-            f"{len(distinct)} different points among {n}: a surface needs at least {LEAST_POINTS}"
+            Sentence(
+                "{different} different points among {n}: a surface needs at least {least}",
+                different=len(distinct),
+                n=n,
+                least=LEAST_POINTS,
+            )
         )
     notes: list[str] = []
     if len(distinct) < n:
@@ -93,7 +101,7 @@ def mesh_cloud(points: FloatArray, most: int = MOST_VERTICES) -> MeshedCloud:
     triangles = good[_surface(x[good])]
     triangles = triangles[~_specks(len(x), triangles)[triangles[:, 0]]]
     if not len(triangles):
-        raise InputError(f"no surface can be laid through {len(distinct)} points")
+        raise InputError(Sentence("no surface can be laid through {n} points", n=len(distinct)))
     used = np.unique(triangles)
     vertex = _stand_ins(x, used)
     lost = int((vertex[stands[copy]] < 0).sum())

@@ -10,6 +10,7 @@ from scipy.spatial import Delaunay, QhullError
 
 from gpswb.core.mesh import FloatArray, IntArray
 from gpswb.errors import InputError
+from gpswb.sentence import Sentence
 
 JITTER = 1e-5
 """Displacement, in mean spacings, that breaks ties: points on a grid or in one plane have no unique
@@ -49,7 +50,9 @@ def empty_spheres(points: FloatArray, spacing: float) -> EmptySpheres:
     try:
         mesh = Delaunay(x)
     except QhullError as error:
-        raise InputError(f"{len(points)} points span no surface: they lie on a line") from error
+        raise InputError(
+            Sentence("{n} points span no surface: they lie on a line", n=len(points))
+        ) from error
     tetra = mesh.simplices.astype(np.int64)
     centre = _tetra_centres(x, tetra)
     t = len(tetra)

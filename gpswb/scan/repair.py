@@ -12,6 +12,7 @@ from gpswb.core.mesh import Mesh
 from gpswb.errors import InputError
 from gpswb.scan.orientation import components, flips
 from gpswb.scan.weld import weld
+from gpswb.sentence import Sentence
 
 
 def repair(mesh: Mesh) -> tuple[Mesh, tuple[str, ...]]:
@@ -36,7 +37,7 @@ def repair(mesh: Mesh) -> tuple[Mesh, tuple[str, ...]]:
         notes.append(f"{len(triangles) - len(first)} repeated triangles dropped")
     triangles = triangles[np.sort(first)]
     if not len(triangles):
-        raise InputError(f"none of {before} triangles has an area")
+        raise InputError(Sentence("none of {n} triangles has an area", n=before))
     used, index = np.unique(triangles, return_inverse=True)
     mesh = Mesh(mesh.vertices[used], index.reshape(-1, 3))
     mesh, turned, left = orient(mesh)

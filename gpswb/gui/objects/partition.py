@@ -37,6 +37,7 @@ from gpswb.gui.partition_result import (
     stored_result,
 )
 from gpswb.gui.runs import Run
+from gpswb.sentence import Sentence
 
 NOT_RUN, CURRENT, STALE, FAILED = "not run", "up to date", "stale", "failed"
 AS_READ = "as read"
@@ -93,13 +94,16 @@ class PartitionProxy(Stateless):
         if run_key(obj) == obj.RunKey:
             obj.Status = CURRENT
             return
-        obj.Status, obj.Message = STALE, "part or settings have changed: run it again"
+        obj.Status, obj.Message = (
+            STALE,
+            compat.say(Sentence("part or settings have changed: run it again")),
+        )
         if _last_run_s(obj) > preferences.recompute_limit_s():
             return
         try:
             run(obj)
         except GpswbError as error:
-            obj.Status, obj.Message = FAILED, str(error)
+            obj.Status, obj.Message = FAILED, compat.say(str(error))
 
     def onDocumentRestored(self, obj: Any) -> None:
         """Give documents of older versions the properties that came later."""
@@ -195,9 +199,9 @@ def usable_source(source: Any) -> Any:
     if is_measurement(source):
         mesh = source.isDerivedFrom("Mesh::Feature")
         if not (source.Mesh.CountFacets if mesh else source.Points.CountPoints):
-            raise InputError(f"{source.Label} is empty")
+            raise InputError(Sentence("{part} is empty", part=source.Label))
     elif not getattr(getattr(source, "Shape", None), "Faces", None):
-        raise InputError(f"{source.Label} has no faces to partition")
+        raise InputError(Sentence("{part} has no faces to partition", part=source.Label))
     return source
 
 
@@ -254,7 +258,7 @@ def show_result(obj: Any) -> Iterator[None]:
         obj.setEditorMode(name, 1 if document["faces"] else 2)
     obj.AreaAccuracy = judged.get("area_accuracy") or 0.0
     obj.FaceAccuracy = judged.get("face_accuracy") or 0.0
-    obj.Message = "; ".join([*document["notes"], *notes])
+    obj.Message = "; ".join([*document["notes"], *map(compat.say, notes)])
     obj.Status = CURRENT
     yield
     yield from sync_features(obj, stored)

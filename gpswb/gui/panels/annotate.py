@@ -16,7 +16,7 @@ from gpswb.gps.specified import specify
 from gpswb.gui import compat
 from gpswb.gui.annotation import annotation_of
 from gpswb.gui.annotation_record import SpecificationRecord
-from gpswb.gui.compat import QtGui, QtWidgets, translate
+from gpswb.gui.compat import QtGui, QtWidgets, say, translate
 from gpswb.gui.frame_picture import frame_picture
 from gpswb.gui.icons import icon
 from gpswb.gui.objects.annotation import record_of
@@ -83,7 +83,7 @@ class AnnotatePanel:
         self.features.blockSignals(True)
         self.features.clear()
         for feature in new:
-            self.features.addItem(explain_feature(feature))
+            self.features.addItem(say(explain_feature(feature)))
         if not new:
             self.features.addItem(translate("GPS", "Select a face of the part."))
         self.features.blockSignals(False)
@@ -231,21 +231,21 @@ class AnnotatePanel:
             wanted = specification_row(translate("GPS", "Specification"), choice)
             (said,) = specify([wanted], self.annotation.table, self.annotation.letters)
         except GpswbError as error:
-            self.message.setText(escape(str(error)))
+            self.message.setText(escape(say(str(error))))
             return
         picture = frame_picture(said.cells, self.form.devicePixelRatioF())
         pixmap = QtGui.QPixmap.fromImage(picture)
         pixmap.setDevicePixelRatio(self.form.devicePixelRatioF())
         self.preview.setPixmap(pixmap)
         remark = getattr(said, "remark", "")
-        self.message.setText(escape(remark))
+        self.message.setText(escape(say(remark)))
         self.button.setEnabled(not remark)
 
 
 def _said(row: Specification) -> str:
     """A characteristic with its state and the reason, and the zone where it may be used."""
     name, status = translate("GPS", row.characteristic), translate("GPS", row.status)
-    lines = [f"<b>{escape(name)}</b>: {escape(status)}", escape(row.reason)]
+    lines = [f"<b>{escape(name)}</b>: {escape(status)}", escape(say(row.reason))]
     if row.status != "not allowed":
-        lines.append(f"{translate('GPS', 'Zone')}: {escape(row.zone)}")
+        lines.append(f"{translate('GPS', 'Zone')}: {escape(say(row.zone))}")
     return "<br>".join(lines)

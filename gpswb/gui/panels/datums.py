@@ -12,7 +12,7 @@ from gpswb.errors import GpswbError
 from gpswb.gps.annotation import Annotation, annotate
 from gpswb.gps.explain import explain_datum_system, explain_feature, explain_lock
 from gpswb.gui import compat
-from gpswb.gui.compat import QtGui, QtWidgets, translate
+from gpswb.gui.compat import QtGui, QtWidgets, say, translate
 from gpswb.gui.datums import datums_of, set_datums, suggested_datums
 from gpswb.gui.icons import icon
 from gpswb.gui.one_step import one_step
@@ -168,7 +168,7 @@ class DatumsPanel:
             stored, _ = effective_result(self.partition)
             found = annotate(features_of(stored), choices, notation=self.notation.text().strip())
         except GpswbError as error:
-            self.text.setText(escape(str(error)))
+            self.text.setText(escape(say(str(error))))
             return
         assert found.system is not None
         locks = {
@@ -177,10 +177,10 @@ class DatumsPanel:
             for name in datum.name.split("-")
         }
         for letter, features in found.letters.items():
-            lines = [explain_feature(feature) for feature in features]
+            lines = [say(explain_feature(feature)) for feature in features]
             if letter in locks:
-                lines.append(explain_lock(locks[letter]))
+                lines.append(say(explain_lock(locks[letter])))
             self.texts[letter].setText("\n".join(lines))
         self.text.setText(
-            escape(explain_datum_system(found.system, found.needed)).replace("\n", "<br>")
+            escape(say(explain_datum_system(found.system, found.needed))).replace("\n", "<br>")
         )

@@ -12,7 +12,7 @@ import FreeCADGui
 from gpswb.cad.freecad_measured import is_measurement
 from gpswb.errors import GpswbError, InputError
 from gpswb.gui import compat, preferences
-from gpswb.gui.compat import QT_TRANSLATE_NOOP, QtCore, QtWidgets, translate
+from gpswb.gui.compat import QT_TRANSLATE_NOOP, QtCore, QtWidgets, say, translate
 from gpswb.gui.objects.partition import (
     AS_READ,
     check_density,
@@ -178,7 +178,7 @@ class PartitionPanel:
             check_density(self.density.density())
             run = Run("count_triangles", self.source, self.density.density())
         except GpswbError as error:
-            self.count.setText(str(error))
+            self.count.setText(say(str(error)))
             return
         self.count.setText(translate("GPS", "counting …"))
         self._count = Watch(run, self._counted, self._not_counted)
@@ -189,7 +189,7 @@ class PartitionPanel:
 
     def _not_counted(self, why: str) -> None:
         self._stop_count()
-        self.count.setText(why)
+        self.count.setText(say(why))
 
     def _stop_count(self) -> None:
         if hasattr(self, "_timer"):
@@ -261,7 +261,7 @@ class PartitionPanel:
         self.bar.setRange(0, 100)
         self.inputs.setEnabled(True)
         self.button.setEnabled(True)
-        self.message.setText(f"<span style='color:#c00000'>{_plain(why)}</span>")
+        self.message.setText(f"<span style='color:#c00000'>{_plain(say(why))}</span>")
 
 
 def _size(source: Any) -> str:

@@ -11,7 +11,7 @@ import FreeCADGui
 from gpswb.core.invariance import CLASSES
 from gpswb.errors import GpswbError
 from gpswb.gui import compat
-from gpswb.gui.compat import QtGui, QtWidgets, translate
+from gpswb.gui.compat import QtGui, QtWidgets, say, translate
 from gpswb.gui.face_text import face_rows, ranking_rows
 from gpswb.gui.icons import class_icon, icon
 from gpswb.gui.objects.partition import finish_change, start_change, with_override
@@ -109,7 +109,7 @@ class QueryPanel:
         try:
             self.text.setText(self._page(faces))
         except GpswbError as error:
-            self.text.setText(escape(str(error)))
+            self.text.setText(escape(say(str(error))))
 
     addSelection = removeSelection = setSelection = clearSelection = refresh
 

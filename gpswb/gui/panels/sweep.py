@@ -10,7 +10,7 @@ from typing import Any
 
 from gpswb.errors import GpswbError, InputError
 from gpswb.gui import compat
-from gpswb.gui.compat import QT_TRANSLATE_NOOP, QtGui, QtWidgets, translate
+from gpswb.gui.compat import QT_TRANSLATE_NOOP, QtGui, QtWidgets, say, translate
 from gpswb.gui.icons import icon
 from gpswb.gui.objects.partition import check_density
 from gpswb.gui.panels.show import close_panel
@@ -18,6 +18,7 @@ from gpswb.gui.panels.validate import percent
 from gpswb.gui.panels.watch import Watch
 from gpswb.gui.runs import Run
 from gpswb.io.whole import write_whole
+from gpswb.sentence import Sentence
 
 _COLUMNS = {
     "density": QT_TRANSLATE_NOOP("GPS", "Density"),
@@ -85,12 +86,12 @@ class SweepPanel:
         densities = [text.strip() for text in self.densities.text().split(";") if text.strip()]
         try:
             if not densities:
-                raise InputError(translate("GPS", "no density is given"))
+                raise InputError(Sentence("no density is given"))
             for text in densities:
                 check_density(text)
             run = Run("sweep_densities", self.source, densities, "robust")
         except GpswbError as error:
-            self.message.setText(str(error))
+            self.message.setText(say(str(error)))
             return
         self.start.setEnabled(False)
         self.bar.setValue(0)
@@ -117,7 +118,7 @@ class SweepPanel:
 
     def _failed(self, why: str) -> None:
         self._end()
-        self.message.setText(why)
+        self.message.setText(say(why))
 
     def _end(self) -> None:
         if self.watch is not None:

@@ -8,7 +8,7 @@ from typing import Any
 
 from gpswb.gps.characteristics import RULES
 from gpswb.gps.specifications import Specification, Status
-from gpswb.gui.compat import QtCore, QtGui, QtWidgets, translate
+from gpswb.gui.compat import QtCore, QtGui, QtWidgets, say, translate
 from gpswb.gui.frame_picture import INK, symbol_picture
 
 SIZE = "size"
@@ -104,4 +104,4 @@ def _show_state(button: Any, name: str, status: Status, reason: str) -> None:
         "QToolButton:checked { border: 3px double black; }"
     )
     words = f"{translate('GPS', name)}: {translate('GPS', status)}"
-    button.setToolTip(f"{words}. {reason}" if reason else words)
+    button.setToolTip(f"{words}. {say(reason)}" if reason else words)

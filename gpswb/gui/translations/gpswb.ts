@@ -4,6 +4,14 @@
   <context>
     <name>GPS</name>
     <message>
+      <source>, for orientation only,</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>; the other {n} no datum of it can lock</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <source>A-B is a common datum, A&gt;&lt; only orients; empty: each letter in turn</source>
       <translation type="unfinished" />
     </message>
@@ -60,6 +68,14 @@
       <translation type="unfinished" />
     </message>
     <message>
+      <source>CZ holds the features of the group to one another, without a datum</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Cancel</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <source>Change</source>
       <translation type="unfinished" />
     </message>
@@ -84,7 +100,15 @@
       <translation type="unfinished" />
     </message>
     <message>
+      <source>Coaxial group</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <source>Colours only tell neighbours apart.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Concave radius</source>
       <translation type="unfinished" />
     </message>
     <message>
@@ -92,7 +116,19 @@
       <translation type="unfinished" />
     </message>
     <message>
+      <source>Convex radius</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <source>Corrected: the paper's flow, errors mended</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Counterbore</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Countersink</source>
       <translation type="unfinished" />
     </message>
     <message>
@@ -105,6 +141,14 @@
     </message>
     <message>
       <source>Datum system</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Datum system {system}</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Datum {letter}</source>
       <translation type="unfinished" />
     </message>
     <message>
@@ -168,6 +212,10 @@
       <translation type="unfinished" />
     </message>
     <message>
+      <source>Freeform</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <source>GPS Partition of {}</source>
       <translation type="unfinished" />
     </message>
@@ -189,6 +237,18 @@
     </message>
     <message>
       <source>Half angle</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Helicoid</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Hole</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Hole pattern</source>
       <translation type="unfinished" />
     </message>
     <message>
@@ -236,6 +296,10 @@
       <translation type="unfinished" />
     </message>
     <message>
+      <source>N must be a whole number from {least} to {most}</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <source>Nested classes rank close: the simplest that fits is taken.</source>
       <translation type="unfinished" />
     </message>
@@ -256,11 +320,23 @@
       <translation type="unfinished" />
     </message>
     <message>
+      <source>Of the part {free}.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <source>Offset</source>
       <translation type="unfinished" />
     </message>
     <message>
       <source>Other</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>PMI is appended to the text of {path}</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>PMI is not on the original STEP text but on the part as FreeCAD writes it: {why}</source>
       <translation type="unfinished" />
     </message>
     <message>
@@ -277,6 +353,10 @@
     </message>
     <message>
       <source>Permitted specifications, table</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Pin pattern</source>
       <translation type="unfinished" />
     </message>
     <message>
@@ -360,6 +440,10 @@
       <translation type="unfinished" />
     </message>
     <message>
+      <source>Rib</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <source>Robust: consensus of vertex positions</source>
       <translation type="unfinished" />
     </message>
@@ -384,7 +468,15 @@
       <translation type="unfinished" />
     </message>
     <message>
+      <source>Shaft</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <source>Situation feature</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Slot</source>
       <translation type="unfinished" />
     </message>
     <message>
@@ -416,7 +508,19 @@
       <translation type="unfinished" />
     </message>
     <message>
+      <source>SØ{value:.6g}</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <source>Thick frame: recommended; thin: allowed; none, grey: not allowed.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Together they lock {n} of six: complete{rest}.</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Together they lock {n} of the {needed} degrees of freedom that this part's datums can lock: not complete.</source>
       <translation type="unfinished" />
     </message>
     <message>
@@ -468,11 +572,35 @@
       <translation type="unfinished" />
     </message>
     <message>
+      <source>a class is given with the action 'class', and only with it</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>a datum of {system} isn't there</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>a form tolerance takes no datum</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>a freeform surface is located by a surface profile</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <source>a mesh has no CAD faces</source>
       <translation type="unfinished" />
     </message>
     <message>
+      <source>a part of {n} points without extent has no GPS features</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <source>a task panel is open: close it first</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>a tolerance class is for linear sizes</source>
       <translation type="unfinished" />
     </message>
     <message>
@@ -488,7 +616,27 @@
       <translation type="unfinished" />
     </message>
     <message>
+      <source>an arc of at most half a turn has no median line</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>an edge length of {size:.3g} mm would make about {expected:.2g} triangles; at most {most} are possible</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>angle {value:.6g}°</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <source>angularity</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>any direction</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>any direction perpendicular to {normal}</source>
       <translation type="unfinished" />
     </message>
     <message>
@@ -496,7 +644,63 @@
       <translation type="unfinished" />
     </message>
     <message>
+      <source>between two coaxial cylinders</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>between two concentric circles about the datum axis, in each section</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>between two concentric circles in each section</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>between two cylinders about the datum axis</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>between two equal circles on each cylinder about the datum axis</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>between two lines equidistant from the nominal line, in each section</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>between two parallel planes</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>between two parallel planes perpendicular to the datum axis</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>between two parallel straight lines for each line element</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>between two surfaces equidistant from the nominal surface</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>can't write {path}: it is a file, not a directory</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>can't write {path}: {why}</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>circle about the datum's centre, in each section</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <source>circular run-out</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>class</source>
       <translation type="unfinished" />
     </message>
     <message>
@@ -544,6 +748,26 @@
       <translation type="unfinished" />
     </message>
     <message>
+      <source>datum {letter} is given twice</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>datum {letter}: {why}</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>datum {name} in {text!r} isn't assigned to a feature</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>density {text!r} isn't valid ({why}): use one of {forms}</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>density {text!r} isn't valid: use one of {forms}</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <source>disagrees</source>
       <translation type="unfinished" />
     </message>
@@ -556,7 +780,23 @@
       <translation type="unfinished" />
     </message>
     <message>
+      <source>five</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <source>flatness</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>form of each of its features by itself, without a datum</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>form of the feature itself, without a datum</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>four</source>
       <translation type="unfinished" />
     </message>
     <message>
@@ -592,7 +832,95 @@
       <translation type="unfinished" />
     </message>
     <message>
+      <source>is redundant: it locks nothing that isn't locked already</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>it doesn't turn about an axis</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>it doesn't turn about an axis of these datums</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>it has no axis</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>it has no centre point</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>it has no direction to orient</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>it has no face</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>it has no median plane or line</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>it has no straight line elements</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <source>it is no feature of size</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>it isn't a cylinder</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>it isn't flat</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>it needs a datum, and none stands before this feature</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>it needs a value above 0, or none</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>it needs a value of at least 0, or none</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>it needs both deviations, or none</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>it serves any angle to the datums</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>it turns about the datum axis</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>its axis isn't a datum axis: use position</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>its centre isn't on a datum axis or point: use position</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>its median feature isn't that of a datum: use position</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>its numbers must be positive</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>its sections aren't circles</source>
       <translation type="unfinished" />
     </message>
     <message>
@@ -608,6 +936,34 @@
       <translation type="unfinished" />
     </message>
     <message>
+      <source>locks {what}</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>locks {what} and {also}</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>lower</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>merge</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>merging takes at least two faces</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>needs more than {limit} MB of memory</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>no</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <source>no CAD class</source>
       <translation type="unfinished" />
     </message>
@@ -616,7 +972,31 @@
       <translation type="unfinished" />
     </message>
     <message>
+      <source>no face is chosen</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>no face {name!r}</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>no result within {seconds:g} s</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>no surface can be laid through {n} points</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <source>none</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>none of its datums is there</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>none of {n} triangles has an area</source>
       <translation type="unfinished" />
     </message>
     <message>
@@ -628,11 +1008,27 @@
       <translation type="unfinished" />
     </message>
     <message>
+      <source>one</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>one rotation</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>one translation</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <source>oriented, not located</source>
       <translation type="unfinished" />
     </message>
     <message>
       <source>parallelism</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>part or settings have changed: run it again</source>
       <translation type="unfinished" />
     </message>
     <message>
@@ -680,6 +1076,10 @@
       <translation type="unfinished" />
     </message>
     <message>
+      <source>region {region} is {kind} but has no {lacking}</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <source>revolute</source>
       <translation type="unfinished" />
     </message>
@@ -689,6 +1089,10 @@
     </message>
     <message>
       <source>ridge</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>rotation about {about} stays free</source>
       <translation type="unfinished" />
     </message>
     <message>
@@ -728,11 +1132,23 @@
       <translation type="unfinished" />
     </message>
     <message>
+      <source>six</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <source>size</source>
       <translation type="unfinished" />
     </message>
     <message>
       <source>size, with deviations or a tolerance class</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>specification of {feature!r}: that is {names}; name one feature</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>specification {characteristic}: {why}</source>
       <translation type="unfinished" />
     </message>
     <message>
@@ -752,6 +1168,10 @@
       <translation type="unfinished" />
     </message>
     <message>
+      <source>split</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <source>straightness</source>
       <translation type="unfinished" />
     </message>
@@ -764,11 +1184,67 @@
       <translation type="unfinished" />
     </message>
     <message>
+      <source>that is the nominal angle to a datum</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <source>the CAD class is disputed</source>
       <translation type="unfinished" />
     </message>
     <message>
+      <source>the CAD kernel crashed ({signal})</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>the angle must be below 180 degrees</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>the annotation is damaged ({error})</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>the annotation is of schema {found!r}, not {known!r}</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>the datums have no direction</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>the datums locate it fully</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>the isolated process failed: {why}</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>the lower deviation is above the upper one</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>the nominal angle to the first datum is {angle:.4g}°: use {characteristic}</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <source>the panel is closed: what it worked on is gone</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>the part has changed since it was imported from {path}</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>the part wasn't imported from a STEP file by GPS</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>the result of {part} is damaged ({error})</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>the stored overrides are damaged ({error})</source>
       <translation type="unfinished" />
     </message>
     <message>
@@ -780,6 +1256,22 @@
       <translation type="unfinished" />
     </message>
     <message>
+      <source>there is no such suggestion</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>three</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>three rotations</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>three translations</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <source>torus</source>
       <translation type="unfinished" />
     </message>
@@ -788,7 +1280,235 @@
       <translation type="unfinished" />
     </message>
     <message>
+      <source>total run-out is defined for cylinders and planes</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>translation along {along} and rotation about {about} stays free</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>translation along {along} stays free</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <source>trough</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>two</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>two rotations</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>two translations</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>upper</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>value</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>width {value:.6g}</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>without a datum it bounds the form</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>{characteristic} of {feature!r}: {why}</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>{different} different points among {n}: a surface needs at least {least}</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>{face} has changed</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>{face} is gone</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>{face} is now {other}</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>{feature} holds a {surface}: {why}</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>{feature} is no feature of size</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>{fit} is a class of holes and slots, {feature} is external</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>{fit} is a class of shafts and ribs, {feature} is internal</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>{lines}, or a cylinder Ø for the median line</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>{modifier} doesn't go with it (ISO 2692)</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>{name}: the name must end in one of {suffixes}</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>{name}: {kind}: {part} is a mesh without CAD faces</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>{n} points are more than {most}: thin the cloud first</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>{n} points span no surface: they lie on a line</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>{one} with {other}</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>{part!r} in {text!r} is no datum; write A|B-C|D&gt;&lt;</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>{part} has no faces to partition</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>{part} has no result yet</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>{part} is empty</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>{path} has changed since the part was imported</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>{path}: FreeCAD can't read the file ({reason})</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>{path}: can't be read ({reason})</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>{path}: is a directory, not a file</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>{path}: no face of the shape can be tessellated</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>{path}: no such file</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>{path}: not a STEP file (ISO-10303-21 is missing)</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>{path}: not an FCStd document (no zip archive)</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>{path}: not an OCCT BREP file</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>{path}: the STEP file is truncated (END-ISO-10303-21 is missing)</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>{path}: the file holds no faces</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>{path}: the file holds nothing to partition</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>{path}: the file is empty</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>{path}: unknown format {suffix!r}; expected {known}</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>{said}; did you mean {word!r}?</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>{text!r} is no datum letter; A to ZZZ are</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>{text!r} is no datum; write A=Face1,B=Face5+Face6</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>{what} of {feature}</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>{where}: feature and characteristic are needed</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>{where}: modifier {word!r} is none of M, L, R</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>{where}: {key} is neither text nor a number</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>{where}: {key} {text!r} is not a number</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>{where}: {word!r} is no tolerance class as H7 or g6</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>{where}: {word!r} is none of {known}</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>{word!r} in {text!r}</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>{word!r} is no characteristic of ISO 1101, nor 'size'</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>{wrong} is neither a feature nor a face of one</source>
       <translation type="unfinished" />
     </message>
     <message>
@@ -813,6 +1533,18 @@
     </message>
     <message>
       <source>{} triangles</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Ø{value:.6g}</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Ⓜ and Ⓛ exclude each other (ISO 2692)</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>Ⓡ stands after Ⓜ or Ⓛ only (ISO 2692)</source>
       <translation type="unfinished" />
     </message>
   </context>

@@ -9,6 +9,7 @@ Qt's own tools for Python lose texts that stand on a line of their own, and lett
 from __future__ import annotations
 
 import ast
+import re
 import xml.etree.ElementTree as ET
 from collections.abc import Iterator
 from pathlib import Path
@@ -16,6 +17,9 @@ from pathlib import Path
 FOLDER = Path(__file__).parent
 LANGUAGES = ("de",)
 _MARKS = ("translate", "QT_TRANSLATE_NOOP")
+_PACKAGES = FOLDER.parents[1]
+_NOT_SHOWN = ("cli", "batch", "report")
+"""Packages of whose sentences the window shows none."""
 Text = tuple[str, str]
 """Context and source text."""
 
@@ -23,6 +27,9 @@ Text = tuple[str, str]
 def texts() -> list[Text]:
     """Every text that the window shows, in order of context."""
     found: dict[Text, None] = {}
+    for path in sorted(_PACKAGES.rglob("*.py")):
+        if path.relative_to(_PACKAGES).parts[0] not in _NOT_SHOWN:
+            found.update(dict.fromkeys(_sentences(path)))
     for path in sorted(FOLDER.parent.rglob("*.py")):
         found.update(dict.fromkeys(_in_code(path)))
     for path in sorted(FOLDER.parent.rglob("*.ui")):
@@ -36,6 +43,15 @@ def _in_code(path: Path) -> Iterator[Text]:
             values = [arg.value if isinstance(arg, ast.Constant) else None for arg in node.args]
             if len(values) == 2 and all(isinstance(value, str) for value in values):
                 yield str(values[0]), str(values[1])
+
+
+def _sentences(path: Path) -> Iterator[Text]:
+    """Templates of `Sentence` that hold words."""
+    for node in ast.walk(ast.parse(path.read_text("utf-8"))):
+        if isinstance(node, ast.Call) and getattr(node.func, "id", "") == "Sentence":
+            template = node.args[0].value if isinstance(node.args[0], ast.Constant) else ""
+            if any(c.isalpha() for c in re.sub(r"{[^}]*}", "", str(template))):
+                yield "GPS", str(template)
 
 
 def _in_form(path: Path) -> Iterator[Text]:
