@@ -161,14 +161,14 @@ def _specify(row: SpecificationRow, table: FeatureTable, letters: Letters) -> Sp
     zero = bool({"Ⓜ", "Ⓛ"} & set(row.modifiers))
     if row.value is not None and (row.value < 0 or (row.value == 0 and not zero)):
         if zero:
-            raise _wrong(row, Sentence("it needs a value of at least 0, or none"))
-        raise _wrong(row, Sentence("it needs a value above 0, or none"))
+            raise _wrong(row, feature, Sentence("it needs a value of at least 0, or none"))
+        raise _wrong(row, feature, Sentence("it needs a value above 0, or none"))
     try:
         datums = parse_datums(row.datums, letters) if row.datums else ()
     except InputError as error:
-        raise _wrong(row, str(error)) from None
+        raise _wrong(row, feature, str(error)) from None
     if datums and RULES[name].group == "form":
-        raise _wrong(row, Sentence("a form tolerance takes no datum"))
+        raise _wrong(row, feature, Sentence("a form tolerance takes no datum"))
     system = datum_system(datums, table.frame) if datums else None
     permitted = permitted_specifications(feature, system)
     rule = next(s for s in permitted if s.characteristic == name)
@@ -184,12 +184,13 @@ def _specify(row: SpecificationRow, table: FeatureTable, letters: Letters) -> Sp
     )
 
 
-def _wrong(row: SpecificationRow, why: str) -> InputError:
+def _wrong(row: SpecificationRow, feature: GpsFeature, why: str) -> InputError:
+    by_name = row.feature.casefold() == feature.name.casefold()
     return InputError(
         Sentence(
             "{characteristic} of {feature!r}: {why}",
             characteristic=Sentence(row.characteristic),
-            feature=row.feature,
+            feature=feature.name if by_name else row.feature,
             why=why,
         )
     )
@@ -209,10 +210,12 @@ def _modifier_remark(row: SpecificationRow, permitted: tuple[str, ...]) -> str:
 
 def _size_tolerance(row: SpecificationRow, feature: GpsFeature) -> SizeTolerance:
     if feature.size is None:
-        raise _wrong(row, Sentence("{feature} is no feature of size", feature=feature.name))
+        raise _wrong(
+            row, feature, Sentence("{feature} is no feature of size", feature=feature.name)
+        )
     if row.fit:
         if not feature.size.linear:
-            raise _wrong(row, Sentence("a tolerance class is for linear sizes"))
+            raise _wrong(row, feature, Sentence("a tolerance class is for linear sizes"))
         hole = row.fit[0].isupper()
         if feature.material == ("external" if hole else "internal"):
             values = {"fit": row.fit, "feature": feature.name}
@@ -224,10 +227,10 @@ def _size_tolerance(row: SpecificationRow, feature: GpsFeature) -> SizeTolerance
                 said = Sentence(
                     "{fit} is a class of shafts and ribs, {feature} is internal", **values
                 )
-            raise _wrong(row, said)
+            raise _wrong(row, feature, said)
         return SizeTolerance(feature, None, None, row.fit)
     if (row.upper is None) != (row.lower is None):
-        raise _wrong(row, Sentence("it needs both deviations, or none"))
+        raise _wrong(row, feature, Sentence("it needs both deviations, or none"))
     if row.upper is not None and row.lower is not None and row.lower > row.upper:
-        raise _wrong(row, Sentence("the lower deviation is above the upper one"))
+        raise _wrong(row, feature, Sentence("the lower deviation is above the upper one"))
     return SizeTolerance(feature, row.lower, row.upper)

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """Every text has its German one, in the file that FreeCAD loads."""
 
+import ast
 import sys
 from pathlib import Path
 from typing import get_args
@@ -11,12 +12,14 @@ from window import settle
 import gpswb.gui
 from gpswb.cad.kernel import SurfaceKind
 from gpswb.core.invariance import CLASSES
+from gpswb.errors import GpswbError
 from gpswb.gui.colouring import AGREEMENT, COLOUR_BY, CONSTRAINT
 from gpswb.gui.compat import QtCore
 from gpswb.gui.exports import FORMATS
 from gpswb.gui.words import WORDS
 from gpswb.io.colours import SHAPE_TYPES
 
+ERRORS = [each.__name__ for each in GpswbError.__subclasses__()]
 FOLDER = Path(gpswb.gui.__file__).parent / "translations"
 sys.path.append(str(FOLDER))
 
@@ -40,6 +43,20 @@ def test_german_is_complete_and_compiled():
     for context, source in update.texts():
         assert (context, source) in known, source
         assert translator.translate(context, source) == known[context, source]
+
+
+def test_errors_of_the_window_and_its_logic_are_sentences():
+    """Only so can the window say them in the user's language."""
+    plain = []
+    for package in ("gui", "gps"):
+        for path in sorted((FOLDER.parents[1] / package).rglob("*.py")):
+            for node in ast.walk(ast.parse(path.read_text("utf-8"))):
+                raised = node.exc if isinstance(node, ast.Raise) else None
+                if isinstance(raised, ast.Call) and raised.func.id in ERRORS:
+                    said = raised.args[0]
+                    if isinstance(said, ast.Constant | ast.JoinedStr):
+                        plain.append(f"{path.name}:{node.lineno}")
+    assert plain == []
 
 
 def test_words_of_other_packages_are_listed():
