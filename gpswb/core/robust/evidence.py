@@ -6,8 +6,8 @@ from __future__ import annotations
 import numpy as np
 
 from gpswb.core.mesh import FloatArray, Mesh
-from gpswb.core.robust.growth import Grown, stand_off, vertices_of
-from gpswb.core.robust.surfaces import distance
+from gpswb.core.robust.growth import SPARE, Grown, stand_off, vertices_of
+from gpswb.core.robust.surfaces import UNKNOWNS, distance
 from gpswb.core.robust.topology import SMOOTH, FacetGraph
 
 LINES = 4
@@ -34,6 +34,10 @@ EXACT = 3e4
 """A region that bends by so many times what its vertices stand off is exact: no patch of another
 surface comes near, whatever continues behind its border."""
 
+INSIDE = 1e-5
+"""Share of the diagonal by which vertices inside a face may be off its surface: those of its edges
+hold to the modelling tolerance of exchanged files only, which is wider."""
+
 DRIFT_SHARE = 0.3
 """Share of drifting border edges that disproves a surface."""
 
@@ -54,7 +58,7 @@ def enough_evidence(mesh: Mesh, graph: FacetGraph, grown: Grown, tolerance: floa
         return False
     if is_exact(mesh, grown):
         return True
-    return not drifts(mesh, graph, grown, tolerance)
+    return holds_inside(mesh, graph, grown, tolerance) and not drifts(mesh, graph, grown, tolerance)
 
 
 def is_exact(mesh: Mesh, grown: Grown) -> bool:
@@ -98,6 +102,26 @@ def sagitta(mesh: Mesh, grown: Grown) -> float:
     x = points - points.mean(axis=0)
     normal = np.linalg.eigh(x.T @ x)[1][:, 0]
     return float(np.ptp(x @ normal))
+
+
+def holds_inside(mesh: Mesh, graph: FacetGraph, grown: Grown, tolerance: float) -> bool:
+    """Whether most vertices inside the region are on its surface, however wide the tolerance.
+
+    A region with hardly any, such as a strip, is not told by them.
+    """
+    limit = INSIDE * mesh.diagonal
+    if tolerance <= limit:
+        return True
+    within = np.zeros(len(mesh.triangles), dtype=bool)
+    within[grown.facets] = True
+    neighbour = graph.neighbour[grown.facets]
+    row, side = np.nonzero((neighbour < 0) | ~within[np.maximum(neighbour, 0)])
+    triangles = mesh.triangles[grown.facets]
+    rim = np.concatenate([triangles[row, side], triangles[row, (side + 1) % 3]])
+    inner = np.setdiff1d(triangles, rim)
+    if len(inner) < UNKNOWNS[grown.kind] + SPARE:
+        return True
+    return stand_off(grown, mesh.vertices[inner]) <= limit
 
 
 def drifts(mesh: Mesh, graph: FacetGraph, grown: Grown, tolerance: float) -> bool:

@@ -10,7 +10,7 @@ import numpy as np
 
 from gpswb.core.mesh import BoolArray, FloatArray, IntArray, Mesh
 from gpswb.core.robust.fitting import fit, fit_patches
-from gpswb.core.robust.surfaces import Kind, distance, largest_curvature
+from gpswb.core.robust.surfaces import UNKNOWNS, Kind, distance, largest_curvature
 from gpswb.core.robust.topology import FacetGraph
 
 TURN_SHARE = 1.2
@@ -28,6 +28,10 @@ MOST_RINGS = 16
 
 SAMPLE = 1500
 """Vertices used to fit a grown region: more don't make exact data more exact."""
+
+
+SPARE = 8
+"""Points beyond a surface's unknowns that show how far the others stand off it, at least."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -148,9 +152,14 @@ def residual(mesh: Mesh, grown: Grown) -> float:
 
 def stand_off(grown: Grown, points: FloatArray) -> float:
     """Standard distance (mm) of (n, 3) points to a surface, by the median: a region may have taken
-    in what lies beside its surface, which says nothing of the rest."""
-    offset = distance(grown.kind, grown.surface[None], points[None])[0][0]
-    return float(np.median(np.abs(offset))) / 0.6745
+    in what lies beside its surface, which says nothing of the rest.
+
+    Of few points, those that the surface was fitted to say nothing either.
+    """
+    offset = np.sort(np.abs(distance(grown.kind, grown.surface[None], points[None])[0][0]))
+    last = len(offset) - 1
+    told = min(max(last // 2, UNKNOWNS[grown.kind] + SPARE), last)
+    return float(offset[told]) / 0.6745
 
 
 def regions_of(label: IntArray, surfaces: Sequence[Grown]) -> list[Grown]:

@@ -20,7 +20,7 @@ from gpswb.core.region_samples import confined_normals, region_samples
 from gpswb.core.robust.absorb import absorb_pieces
 from gpswb.core.robust.decide import by_gap, unless_far_better
 from gpswb.core.robust.describe import describe_surface
-from gpswb.core.robust.evidence import EXACT, sagitta
+from gpswb.core.robust.evidence import EXACT, INSIDE, sagitta
 from gpswb.core.robust.growth import Grown, fit_facets, regions_of, stand_off
 from gpswb.core.robust.leftover import label_leftover
 from gpswb.core.robust.one_face import join_faces
@@ -63,8 +63,8 @@ def partition_robust(
     clock = StageClock(progress)
     first = initial_partition(mesh, sigma, tol, clock)
     with clock.stage("refine"):
-        if 3.0 * sigma > TIERS[-1] * mesh.diagonal:
-            # Nothing lies on anything to within the widest tolerance.
+        if 3.0 * sigma > INSIDE * mesh.diagonal:
+            # No vertex lies on anything to within the tolerance of approximated surfaces.
             surfaces, label, names = segment(mesh, sigma)
             flat = np.zeros(len(label), dtype=bool)
         else:

@@ -7,7 +7,14 @@ import numpy as np
 
 from gpswb.core.mesh import BoolArray, Mesh
 from gpswb.core.reference import spread
-from gpswb.core.robust.evidence import BEND, drifts, enough_evidence, is_exact, sagitta
+from gpswb.core.robust.evidence import (
+    BEND,
+    drifts,
+    enough_evidence,
+    holds_inside,
+    is_exact,
+    sagitta,
+)
 from gpswb.core.robust.growth import Grown, fit_facets, flood, grow, residual
 from gpswb.core.robust.hypotheses import KINDS, Hypothesis
 from gpswb.core.robust.surfaces import distance
@@ -32,7 +39,9 @@ def proved(
         return None
     rough = Grown(h.kind, h.surface, touched)
     if not is_exact(mesh, rough) and (
-        sagitta(mesh, rough) < BEND * tolerance or drifts(mesh, graph, rough, tolerance)
+        sagitta(mesh, rough) < BEND * tolerance
+        or drifts(mesh, graph, rough, tolerance)
+        or not holds_inside(mesh, graph, rough, tolerance)
     ):
         return None
     grown = grow(mesh, graph, h.kind, h.surface, np.array([h.seed]), free, tolerance)

@@ -74,10 +74,10 @@ def _leaked(mesh: Mesh, graph: FacetGraph, owner: IntArray, outlying: BoolArray)
     weight, jumps = np.tile(length, 2), np.tile(np.minimum(jump, 1.0) * length, 2)
     means = []
     inside = owner[one] == owner[other]
-    for side in (outlying[one] & inside, outlying[one] & ~inside):
+    for side, alone in ((outlying[one] & inside, 0.0), (outlying[one] & ~inside, np.inf)):
         total = np.bincount(piece[one[side]], weight[side], len(owner))
         jumped = np.bincount(piece[one[side]], jumps[side], len(owner))
-        means.append(np.where(total > 0.0, jumped / np.maximum(total, 1e-300), np.inf))
+        means.append(np.where(total > 0.0, jumped / np.maximum(total, 1e-300), alone))
     before, behind = means
     leaked: BoolArray = outlying & (before > behind)[piece]
     return leaked

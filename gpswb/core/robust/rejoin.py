@@ -7,6 +7,7 @@ import numpy as np
 
 from gpswb.core.merging import merge_regions
 from gpswb.core.mesh import FloatArray, IntArray, Mesh
+from gpswb.core.robust.evidence import is_exact
 from gpswb.core.robust.growth import Grown, fit_facets, stand_off, vertices_of
 from gpswb.core.robust.reclaim import NEARER
 from gpswb.core.robust.topology import FacetGraph
@@ -16,7 +17,8 @@ def rejoin(mesh: Mesh, graph: FacetGraph, found: list[Grown], floor: float) -> l
     """Join neighbours of one kind that lie on one surface about as well as on their own.
 
     A spline that stands for a circle leaves it by its modelling tolerance; its pieces fit circles
-    of their own better, but not by the orders of magnitude that tell two surfaces apart.
+    of their own better, but not by the orders of magnitude that tell two surfaces apart. If
+    the larger one is exact, its surface is that of both.
 
     Args:
         mesh: the mesh.
@@ -63,8 +65,12 @@ class _OneSurface:
             return 0.0
         limit = max(NEARER * max(self._off[a], self._off[b]), self._floor)
         facets = np.concatenate([one.facets, other.facets])
-        surface = fit_facets(self._mesh, one.kind, facets)
-        union = Grown(one.kind, surface, facets)
-        off = stand_off(union, vertices_of(self._mesh, facets))
+        larger, smaller = (one, other) if len(one.facets) >= len(other.facets) else (other, one)
+        if is_exact(self._mesh, larger):
+            union = Grown(one.kind, larger.surface, facets)
+            off = stand_off(union, vertices_of(self._mesh, smaller.facets))
+        else:
+            union = Grown(one.kind, fit_facets(self._mesh, one.kind, facets), facets)
+            off = stand_off(union, vertices_of(self._mesh, facets))
         self._union[min(a, b), max(a, b)] = union, off
         return limit / max(off, 1e-300)

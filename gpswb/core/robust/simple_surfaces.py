@@ -16,9 +16,10 @@ from gpswb.core.robust.rejoin import rejoin
 from gpswb.core.robust.topology import FacetGraph
 from gpswb.core.stages import StageClock
 
-TIERS: tuple[float, ...] = (1e-7, 1e-5)
+TIERS: tuple[float, ...] = (1e-7, 1e-5, 3e-5, 1e-4)
 """Distances that count as none, as shares of the diagonal, tried one after the other: analytic
-surfaces hold to rounding, approximated ones only to their modelling tolerance."""
+surfaces hold to rounding, approximated ones only to their modelling tolerance, and edges to that of
+exchanged files. Strips of coarse exports have no vertices but those of edges."""
 
 STILL = 0.7
 """Share of a weak region that nothing else has taken, from which it stays for the next tolerance:
