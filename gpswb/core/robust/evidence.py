@@ -38,6 +38,9 @@ INSIDE = 1e-5
 """Share of the diagonal by which vertices inside a face may be off its surface: those of its edges
 hold to the modelling tolerance of exchanged files only, which is wider."""
 
+MOST = 0.9
+"""Share of them that must be: a region may have grown a row beyond a border."""
+
 DRIFT_SHARE = 0.3
 """Share of drifting border edges that disproves a surface."""
 
@@ -105,7 +108,7 @@ def sagitta(mesh: Mesh, grown: Grown) -> float:
 
 
 def holds_inside(mesh: Mesh, graph: FacetGraph, grown: Grown, tolerance: float) -> bool:
-    """Whether most vertices inside the region are on its surface, however wide the tolerance.
+    """Whether the vertices inside a region are on its surface, however wide the tolerance.
 
     A region with hardly any, such as a strip, is not told by them.
     """
@@ -121,7 +124,8 @@ def holds_inside(mesh: Mesh, graph: FacetGraph, grown: Grown, tolerance: float) 
     inner = np.setdiff1d(triangles, rim)
     if len(inner) < UNKNOWNS[grown.kind] + SPARE:
         return True
-    return stand_off(grown, mesh.vertices[inner]) <= limit
+    d, _ = distance(grown.kind, grown.surface[None], mesh.vertices[inner][None])
+    return float(np.quantile(np.abs(d), MOST)) <= limit
 
 
 def drifts(mesh: Mesh, graph: FacetGraph, grown: Grown, tolerance: float) -> bool:

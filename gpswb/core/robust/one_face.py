@@ -3,12 +3,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 
 import numpy as np
 
 from gpswb.core.facet_edges import edge_lengths
 from gpswb.core.initial import InitialPartition
+from gpswb.core.invariance import InvarianceClass
 from gpswb.core.merging import merge_regions
 from gpswb.core.mesh import BoolArray, FloatArray, IntArray, Mesh
 from gpswb.core.robust.curvature_jumps import curvature_jumps
@@ -25,6 +26,7 @@ def join_faces(
     graph: FacetGraph,
     first: InitialPartition,
     label: IntArray,
+    known: Mapping[int, InvarianceClass],
     sure: BoolArray,
     sigma: float,
     tolerances: Tolerances,
@@ -39,6 +41,7 @@ def join_faces(
         graph: its adjacency.
         first: the first step's result.
         label: (m,) region of each facet, -1 for none.
+        known: class of the labels whose surface is known exactly.
         sure: (m,) facets that stay what they are: those of certain planes.
         sigma: noise of the vertices, mm.
         tolerances: thresholds of recognition.
@@ -59,16 +62,17 @@ def join_faces(
     inside = np.isin(label, used)
     number[inside] = np.searchsorted(used, label[inside])
 
-    def classes(region: IntArray) -> list[str]:
+    def classes(region: IntArray) -> list[InvarianceClass]:
         return list(classes_of(mesh, region, first.crease, sigma, tolerances))
 
-    rule = _OneClass(ends, none * length, length, number, classes)
+    name = [known.get(u, c) for u, c in zip(used.tolist(), classes(number), strict=True)]
+    rule = _OneClass(ends, none * length, length, number, name, classes)
     kept = merge_regions(len(used), ends, rule, SEEN)
     # What was joined lies on no surface known so far.
     joined = np.bincount(kept, minlength=len(used)) > 1
-    name = np.where(joined[kept], int(label.max()) + 1 + kept, used)
+    new = np.where(joined[kept], int(label.max()) + 1 + kept, used)
     out = label.copy()
-    out[inside] = name[number[inside]]
+    out[inside] = new[number[inside]]
     return out
 
 
@@ -82,12 +86,12 @@ class _OneClass:
         seen: FloatArray,
         length: FloatArray,
         region: IntArray,
-        classes: Callable[[IntArray], list[str]],
+        name: list[InvarianceClass],
+        classes: Callable[[IntArray], list[InvarianceClass]],
     ) -> None:
         self._ends, self._seen, self._length = ends, seen, length
         self._region, self._classes = region, classes
-        self._name = classes(region)
-        self._count = len(self._name)
+        self._name, self._count = name, len(name)
 
     def score(self, first: IntArray, second: IntArray) -> FloatArray:
         return np.array(

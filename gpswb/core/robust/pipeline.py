@@ -20,7 +20,7 @@ from gpswb.core.region_samples import confined_normals, region_samples
 from gpswb.core.robust.absorb import absorb_pieces
 from gpswb.core.robust.decide import by_gap, unless_far_better
 from gpswb.core.robust.describe import describe_surface
-from gpswb.core.robust.evidence import EXACT, INSIDE, sagitta
+from gpswb.core.robust.evidence import EXACT, INSIDE, is_exact, sagitta
 from gpswb.core.robust.growth import Grown, fit_facets, regions_of, stand_off
 from gpswb.core.robust.leftover import label_leftover
 from gpswb.core.robust.one_face import join_faces
@@ -106,7 +106,8 @@ def _nominal_regions(
     sure = certain[polygon]
     label = absorb_pieces(mesh, graph, first, label, surfaces, sure, sigma, tolerances)
     surfaces, label = _rejoined(mesh, graph, surfaces, label)
-    label = join_faces(mesh, graph, first, label, sure | flat, sigma, tolerances)
+    known = {i: CLASS_OF[g.kind] for i, g in enumerate(surfaces) if is_exact(mesh, g)}
+    label = join_faces(mesh, graph, first, label, known, sure | flat, sigma, tolerances)
     return surfaces, label, flat
 
 

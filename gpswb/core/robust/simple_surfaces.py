@@ -8,11 +8,12 @@ import numpy as np
 from gpswb.core.mesh import BoolArray, IntArray, Mesh
 from gpswb.core.robust.competition import compete
 from gpswb.core.robust.consensus import find_surfaces
-from gpswb.core.robust.evidence import is_exact
+from gpswb.core.robust.evidence import INSIDE, is_exact
 from gpswb.core.robust.freeform import dissolve
 from gpswb.core.robust.growth import Grown, fit_facets, flood
 from gpswb.core.robust.reclaim import reclaim
 from gpswb.core.robust.rejoin import rejoin
+from gpswb.core.robust.stacked_bands import stacked_bands
 from gpswb.core.robust.topology import FacetGraph
 from gpswb.core.stages import StageClock
 
@@ -56,11 +57,15 @@ def simple_surfaces(
         found = [g for g in found if is_exact(mesh, g)]
         for g in found:
             free[g.facets] = False
-        found = [_regrow(mesh, graph, g, free, tolerance) for g in found]
+        if tier <= INSIDE:
+            # Beyond, an exact region would grow into its tangent neighbours.
+            found = [_regrow(mesh, graph, g, free, tolerance) for g in found]
         new = find_surfaces(mesh, graph, free, initial, tolerance, smooth, number == 0)
         for g in new:
             free[g.facets] = False
         found += new + _still_free(weak, free)
+        if number == 0:
+            found += stacked_bands(mesh, graph, found, whole & ~certain[polygon], fine)
         found = compete(mesh, graph, found, polygon, certain, fine)
         clock.report("refine", (number + 1) / (len(TIERS) + 1))
     found = dissolve(mesh, graph, found, polygon, whole & ~certain[polygon])
