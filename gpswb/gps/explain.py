@@ -58,6 +58,12 @@ def explain_datum_system(system: DatumSystem, needed: int) -> Sentence:
                 what=what,
             )
         )
+    return joined("\n", [*lines, explain_whole(system, needed)])
+
+
+def explain_whole(system: DatumSystem, needed: int) -> Sentence:
+    """Of that the sentences on the system and on the part, without those on each letter."""
+    lines = []
     if system.degrees >= needed:
         rest = Sentence("; the other {n} no datum of it can lock", n=_NUMBERS[6 - needed])
         lines.append(

@@ -67,18 +67,18 @@ class GeometricalTolerance:
 
     @property
     def cells(self) -> tuple[str, ...]:
-        """The tolerance indicator: count of a pattern, symbol, value with modifiers, datums."""
+        """The tolerance indicator: what stands beside it, symbol, value with modifiers, datums."""
         value = self.prefix + ("?" if self.value is None else f"{self.value:g}")
         datums = (datum.notation for datum in self.datums)
         symbol = RULES[self.characteristic].symbol
-        return (*_count(self.feature), symbol, " ".join([value, *self.modifiers]), *datums)
+        return (*_beside(self.feature), symbol, " ".join([value, *self.modifiers]), *datums)
 
     @property
     def frame(self) -> str:
         """The tolerance indicator on one line: ``⌖ Ø0.1 Ⓜ | A | B``."""
-        *count, symbol, value = self.cells[: -len(self.datums) or None]
+        *beside, symbol, value = self.cells[: -len(self.datums) or None]
         cells = [value, *(datum.notation for datum in self.datums)]
-        return " ".join([*count, symbol, " | ".join(cells)])
+        return " ".join([*beside, symbol, " | ".join(cells)])
 
 
 @dataclass(frozen=True, eq=False)
@@ -107,7 +107,7 @@ class SizeTolerance:
         assert size is not None
         sign = {"diameter": "Ø", "spherical diameter": "SØ"}.get(size.kind, "")
         said = "?" if self.open else self.fit or f"{self.upper:+g}/{self.lower:+g}"
-        return " ".join([*_count(self.feature), f"{sign}{size.value:.6g}", said])
+        return " ".join([*_beside(self.feature), f"{sign}{size.value:.6g}", said])
 
 
 Specified = GeometricalTolerance | SizeTolerance
@@ -124,8 +124,11 @@ def specify(
     return tuple(_specify(row, table, letters) for row in rows)
 
 
-def _count(feature: GpsFeature) -> tuple[str, ...]:
-    """``4×`` of a pattern of four (ISO 5458), nothing of any other feature."""
+def _beside(feature: GpsFeature) -> tuple[str, ...]:
+    """What stands beside the frame: ``4×`` of a pattern of four (ISO 5458), ``UF`` of surfaces
+    apart that are taken as one (ISO 1101), nothing of any other feature."""
+    if feature.interrupted:
+        return ("UF",)
     return (f"{int(feature.intrinsic['count'])}×",) if "count" in feature.intrinsic else ()
 
 

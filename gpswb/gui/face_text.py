@@ -71,7 +71,8 @@ def ranking_rows(stored: StoredResult, name: str) -> list[tuple[str, float]]:
 def quantity(value: float, unit: Any) -> str:
     """A value (mm, mm², degrees) in the user's own units."""
     # What is zero to rounding is written without a sign.
-    return str(FreeCAD.Units.Quantity(round(value, 9) + 0.0, unit).UserString)
+    text = str(FreeCAD.Units.Quantity(round(value, 9) + 0.0, unit).UserString)
+    return text.replace("^2", "²")
 
 
 def _agreement(face: FaceResult) -> str:

@@ -23,14 +23,15 @@ def frame_picture(cells: Sequence[str], scale: float = 1.0, ink: str = INK) -> A
     """A QImage of a frame: compartments for a specification or a datum letter, plain for a size.
 
     Args:
-        cells: first the count of a pattern (``4×``, outside the frame), then the characteristic's
-            symbol, where there are such.
+        cells: what stands beside the frame (``4×``, ``UF``), then the characteristic's symbol,
+            where there are such.
         scale: pixels of the screen a pixel at 96 dots an inch.
     """
     font = _font(HEIGHT * 0.58)
     metrics = QtGui.QFontMetricsF(font)
     widths = [_width(cell, metrics) for cell in cells]
-    framed = any(cell in SYMBOLS for cell in cells) or cells[0].isalpha()
+    symbol = next((i for i, cell in enumerate(cells) if cell in SYMBOLS), None)
+    first = 0 if symbol is None and cells[0].isalpha() else symbol
     size = (ceil(sum(widths)) + 2, HEIGHT + 2)
     image = QtGui.QImage(int(size[0] * scale), int(size[1] * scale), QtGui.QImage.Format_RGBA8888)
     image.fill(QtGui.QColor(PAPER))
@@ -41,13 +42,13 @@ def frame_picture(cells: Sequence[str], scale: float = 1.0, ink: str = INK) -> A
     painter.setPen(_pen(ink, 1.4))
     painter.setFont(font)
     x = 0.0
-    for cell, width in zip(cells, widths, strict=True):
+    for i, (cell, width) in enumerate(zip(cells, widths, strict=True)):
         box = QtCore.QRectF(x, 0, width, HEIGHT)
         if cell in SYMBOLS:
             draw_symbol(painter, cell, box, ink)
         else:
             _text(painter, cell, box, metrics)
-        if framed and not cell.endswith("×"):
+        if first is not None and i >= first:
             painter.drawRect(box)
         x += width
     painter.end()

@@ -8,8 +8,10 @@ from gps_parts import Part, X, Y, Z, flange
 from gpswb.gps.characteristics import RULES
 from gpswb.gps.compound import compound_features
 from gpswb.gps.datum_system import datum_system, parse_datums
+from gpswb.gps.feature_table import feature_table
 from gpswb.gps.features import maximal_features
 from gpswb.gps.specifications import permitted_specifications
+from gpswb.gps.specified import SpecificationRow, specify
 
 FORM = {"straightness", "flatness", "roundness", "cylindricity"}
 PROFILES = {"line profile", "surface profile"}
@@ -230,6 +232,9 @@ def test_interrupted_features_are_united():
     p.cylinder((0.0, 0.0, 30.0), Z, 20.0, 5.0, hole=True)
     bore = next(f for f in maximal_features(p.partition()) if f.interrupted)
     assert {s.combination for s in permitted_specifications(bore)} == {"UF"}
+    table = feature_table(p.partition())
+    row = SpecificationRow(bore.name, "cylindricity", 0.02)
+    assert [each.frame for each in specify([row], table, {})] == ["UF ⌭ 0.02"]
 
 
 def test_form_of_a_group_is_that_of_each_of_its_features():

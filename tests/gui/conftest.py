@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """A window with the workbench active and one part in it."""
 
+import sys
+
 import FreeCAD
 import FreeCADGui
 import Part
@@ -29,6 +31,15 @@ def arrange():
     if "Combo View" in docks:
         window.resizeDocks([docks["Combo View"]], [320], QtCore.Qt.Horizontal)
     settle()
+
+
+@pytest.fixture(autouse=True)
+def errors_of_slots(monkeypatch):
+    """What Qt calls can't raise into a test: an error there is printed, and fails the test here."""
+    raised = []
+    monkeypatch.setattr(sys, "excepthook", lambda *error: raised.append(error))
+    yield
+    assert raised == []
 
 
 @pytest.fixture

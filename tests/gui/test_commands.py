@@ -73,12 +73,12 @@ def test_the_user_knows_better(block, partition):
     settle()
     before, count = list(partition.Classes), len(partition.Group)
     panel.merge.click()
-    settle()
+    wait(lambda: panel.change is None)
     assert len(partition.Group) == count - 1
     assert partition.Classes[int(planes[0][4:]) - 1] == "prismatic"
     panel.classes.setCurrentIndex(panel.classes.findData("complex"))
     panel.classes.activated.emit(panel.classes.currentIndex())
-    settle()
+    wait(lambda: panel.change is None)
     assert partition.Classes[int(planes[1][4:]) - 1] == "complex"
     block.Document.undo()
     block.Document.undo()

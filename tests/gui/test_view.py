@@ -39,6 +39,7 @@ def test_own_colours_come_back_on_hide_and_delete(block, partition):
 
 def test_save_and_reopen(block, partition, tmp_path):
     path = tmp_path / "saved.FCStd"
+    show_legend()
     partition.ViewObject.ColourBy = "agreement with CAD"
     block.Document.saveAs(str(path))
     FreeCADGui.runCommand("Std_Save", 0)

@@ -85,7 +85,7 @@ def sync_features(partition: Any, stored: StoredResult) -> Iterator[None]:
         obj.Faces = [(partition.Source, tuple(on_region[region.id]))] if with_faces else []
         obj.Shape = situation_shape(region, _vertices(stored, place))
         word = compat.translate("GPS", region.surface).capitalize()
-        obj.Label = f"{word} {count[region.surface]}"
+        obj.Label = f"{word} {count[region.surface]}{_size(region)}"
         obj.purgeTouched()
         made.append(obj)
         yield
@@ -94,6 +94,18 @@ def sync_features(partition: Any, stored: StoredResult) -> Iterator[None]:
     for obj in old[len(regions) :]:
         document.removeObject(obj.Name)
         yield
+
+
+def _size(region: Region) -> str:
+    """What tells features of one surface apart in the tree; mm and degrees."""
+    found = region.intrinsic
+    if region.surface in ("cylinder", "sphere") and "radius" in found:
+        return f", Ø{2 * found['radius']:.5g}"
+    if region.surface == "torus" and "minor_radius" in found:
+        return f", R{found['minor_radius']:.5g}"
+    if region.surface == "cone" and "half_angle_deg" in found:
+        return f", {2 * found['half_angle_deg']:.5g}°"
+    return ""
 
 
 def _new(document: Any) -> Any:

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from contextlib import suppress
 from typing import Any
 
 import numpy as np
@@ -21,6 +22,7 @@ from gpswb.gui.objects.feature import features
 from gpswb.gui.objects.partition import STALE, partitions
 from gpswb.gui.objects.stateless import Stateless
 from gpswb.gui.panels.legend import refresh_legend
+from gpswb.gui.panels.watch import Slices
 from gpswb.gui.partition_result import effective_result, stored_datums
 from gpswb.gui.selection import chosen_faces
 from gpswb.gui.source_colours import restore_colours, show_colours, watch
@@ -56,6 +58,7 @@ class PartitionView(Stateless):
         self.obj = view.Object
         self.mesh = coin.SoSeparator()
         self.scene: FacetScene | None = None
+        self.filling: Slices | None = None
         self.found: Colouring | None = None
         view.RootNode.addChild(self.mesh)
 
@@ -82,6 +85,7 @@ class PartitionView(Stateless):
             return
         _add_properties(view)
         found = _colours_of(view) if view.Visibility else None
+        self._stop_filling()
         self.found, self.scene = found, None
         self.mesh.removeAllChildren()
         QtCore.QTimer.singleShot(0, refresh_legend)
@@ -96,7 +100,7 @@ class PartitionView(Stateless):
             partition = effective_result(view.Object)[0].partition
             self.scene = FacetScene(partition.mesh, found, partition.region, edges=view.FacetEdges)
             self.mesh.addChild(self.scene.root)
-            self.highlight()
+            self.filling = Slices(self.scene.fill(), self._filled, compat.warn)
             _show_source(view, False)
         else:
             show_colours(view, found.face_colours)
@@ -118,17 +122,27 @@ class PartitionView(Stateless):
         marked = np.array([face.name in chosen for face in facemap.faces] + [False])
         self.scene.highlight(marked[facemap.face_of_triangle])
 
+    def _stop_filling(self) -> None:
+        if self.filling is not None:
+            self.filling.stop()
+            self.filling = None
+
+    def _filled(self) -> None:
+        with suppress(ReferenceError):  # the document may have been closed meanwhile
+            self.highlight()
+
     def getElementPicked(self, picked: Any) -> str:
         """Name of the face that a facet of the shown mesh came from."""
-        detail = picked.getDetail()
         facemap = effective_result(self.obj)[0].solid.facemap
-        if facemap is None or not detail.isOfType(coin.SoFaceDetail.getClassTypeId()):
+        facet = self.scene.facet_of(picked) if self.scene is not None else None
+        if facemap is None or facet is None:
             return ""
-        face = facemap.face_of_triangle[coin.cast(detail, "SoFaceDetail").getFaceIndex()]
+        face = facemap.face_of_triangle[facet]
         return facemap.faces[face].name if face >= 0 else ""
 
     def onDelete(self, view: Any, subelements: Any) -> bool:
         """Give the user's colours back and take the features along."""
+        self._stop_filling()
         self.give_back(view)
         for feature in [*features(view.Object), *annotations_of(view.Object)]:
             view.Object.Document.removeObject(feature.Name)

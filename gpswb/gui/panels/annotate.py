@@ -26,6 +26,7 @@ from gpswb.gui.panels.show import close_panel
 from gpswb.gui.panels.symbol_grid import SIZE, SymbolGrid
 from gpswb.gui.part_features import features_at
 from gpswb.gui.partition_result import effective_result
+from gpswb.gui.present_view import lay_out_first
 from gpswb.gui.selection import chosen_faces, select_faces
 from gpswb.gui.specifications import set_specification
 from gpswb.io.specification_file import specification_row
@@ -99,6 +100,7 @@ class AnnotatePanel:
         try:
             with one_step(self.partition.Document, translate("GPS", "Specification")):
                 set_specification(self.partition, self.obj, feature.faces, **self.words())
+                lay_out_first(self.partition)
         except GpswbError as error:
             compat.show_error(str(error))
             return

@@ -10,7 +10,7 @@ import FreeCADGui
 
 from gpswb.errors import GpswbError
 from gpswb.gps.annotation import Annotation, annotate
-from gpswb.gps.explain import explain_datum_system, explain_feature, explain_lock
+from gpswb.gps.explain import explain_feature, explain_lock, explain_whole
 from gpswb.gui import compat
 from gpswb.gui.compat import QtGui, QtWidgets, say, translate
 from gpswb.gui.datums import datums_of, set_datums, suggested_datums
@@ -19,6 +19,7 @@ from gpswb.gui.one_step import one_step
 from gpswb.gui.panels.show import close_panel
 from gpswb.gui.part_features import features_of
 from gpswb.gui.partition_result import effective_result
+from gpswb.gui.present_view import lay_out_first
 from gpswb.gui.selection import chosen_faces, select_faces
 
 LETTERS = "ABCDEF"
@@ -58,6 +59,7 @@ class DatumsPanel:
         try:
             with one_step(self.partition.Document, translate("GPS", "Datum system")):
                 set_datums(self.partition, chosen, self.notation.text().strip())
+                lay_out_first(self.partition)
         except GpswbError as error:
             compat.show_error(str(error))
             return False
@@ -182,5 +184,5 @@ class DatumsPanel:
                 lines.append(say(explain_lock(locks[letter])))
             self.texts[letter].setText("\n".join(lines))
         self.text.setText(
-            escape(say(explain_datum_system(found.system, found.needed))).replace("\n", "<br>")
+            escape(say(explain_whole(found.system, found.needed))).replace("\n", "<br>")
         )

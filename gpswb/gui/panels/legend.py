@@ -104,7 +104,8 @@ class Legend(QtWidgets.QDockWidget):
     def refresh(self) -> None:
         """Show the colours of the partition that is shown."""
         partition = chosen_partition()
-        found = partition.ViewObject.Proxy.found if partition is not None else None
+        proxy = partition.ViewObject.Proxy if partition is not None else None
+        found = getattr(proxy, "found", None)  # a document that is being opened has no proxy yet
         self.wheel.found = found
         self.rows.clear()
         if found is None:
@@ -113,8 +114,9 @@ class Legend(QtWidgets.QDockWidget):
             by = translate("GPS", partition.ViewObject.ColourBy)
             self.title.setText(f"<b>{by}</b>")
             if not found.names:
-                text = translate("GPS", "Colours only tell neighbours apart.")
-                self.title.setText(f"<b>{by}</b><br>{text}")
+                text = translate("GPS", "{} regions; colours only tell neighbours apart.")
+                regions = len(found.palette) - 1
+                self.title.setText(f"<b>{by}</b><br>{text.format(regions)}")
             for i, (name, count) in enumerate(zip(found.names, found.counts, strict=True)):
                 swatch = QtGui.QPixmap(18, 18)
                 swatch.fill(_colour(found, i))

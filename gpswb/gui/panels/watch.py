@@ -12,7 +12,7 @@ from gpswb.gui.compat import QtCore
 from gpswb.gui.runs import Run
 
 _POLL_MS = 100
-_SLICE_S = 0.08
+_SLICE_S = 0.03
 """How long the document may be worked on before the window gets its turn."""
 
 

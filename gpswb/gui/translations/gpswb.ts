@@ -104,10 +104,6 @@
       <translation type="unfinished" />
     </message>
     <message>
-      <source>Colours only tell neighbours apart.</source>
-      <translation type="unfinished" />
-    </message>
-    <message>
       <source>Concave radius</source>
       <translation type="unfinished" />
     </message>
@@ -1529,6 +1525,10 @@
     </message>
     <message>
       <source>{} points</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>{} regions; colours only tell neighbours apart.</source>
       <translation type="unfinished" />
     </message>
     <message>

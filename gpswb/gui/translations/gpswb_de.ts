@@ -104,10 +104,6 @@
       <translation>Koaxiale Gruppe</translation>
     </message>
     <message>
-      <source>Colours only tell neighbours apart.</source>
-      <translation>Die Farben unterscheiden nur Nachbarn.</translation>
-    </message>
-    <message>
       <source>Concave radius</source>
       <translation>Innenrundung</translation>
     </message>
@@ -1530,6 +1526,10 @@
     <message>
       <source>{} points</source>
       <translation>{} Punkte</translation>
+    </message>
+    <message>
+      <source>{} regions; colours only tell neighbours apart.</source>
+      <translation>{} Regionen; die Farben unterscheiden nur Nachbarn.</translation>
     </message>
     <message>
       <source>{} triangles</source>
