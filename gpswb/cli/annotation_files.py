@@ -10,7 +10,7 @@ from pathlib import Path
 from gpswb.batch.one_part import Outcome
 from gpswb.cad.pmi import Pmi
 from gpswb.cad.solid import Solid
-from gpswb.errors import InputError, KernelError
+from gpswb.errors import InputError
 from gpswb.gps.annotation import Annotation
 from gpswb.gps.review import Remark
 from gpswb.io.ap242.compare import differences
@@ -21,6 +21,7 @@ from gpswb.io.features_csv import write_features_csv, write_specifications_csv
 from gpswb.io.features_json import features_document, write_features_json
 from gpswb.io.qif import write_qif
 from gpswb.io.result_json import result_document
+from gpswb.io.step_coloured import write_coloured_step
 from gpswb.report.part_report import write_report
 
 STEP = (".step", ".stp", ".p21")
@@ -67,20 +68,17 @@ def write_all(
         write_qif(directory / "part.qif", annotation, Path(solid.source).name)
         names.append("part.qif")
     if args.coloured:
-        _colour(directory / "coloured.step", args.input, outcome, annotation)
+        lines += _colour(directory / "coloured.step", args.input, outcome, annotation)
         names.append("coloured.step")
     return lines, names
 
 
-def _colour(path: Path, source: Path, outcome: Outcome, annotation: Annotation) -> None:
-    try:
-        from gpswb.io.step_coloured import write_coloured_step
-    except ImportError as error:
-        raise KernelError(f"--coloured needs OCP, which isn't in this Python ({error})") from None
+def _colour(path: Path, source: Path, outcome: Outcome, annotation: Annotation) -> list[str]:
     faces = outcome.validation.faces if outcome.validation else ()
     classes = {f.name: f.invariance_class for f in faces if f.invariance_class is not None}
     names = {name: f.name for f in annotation.table.integral for name in f.faces}
-    write_coloured_step(path, source, classes, names)
+    lost = write_coloured_step(path, read_text(source), outcome.solid, classes, names)
+    return [f"coloured.step: not found in the text: {' '.join(lost)}"] if lost else []
 
 
 def _export(path: Path, source: Path, solid: Solid, annotation: Annotation) -> str:

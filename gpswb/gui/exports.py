@@ -16,6 +16,7 @@ from gpswb.gui.annotation_rows import specification_rows
 from gpswb.gui.original_file import original_of
 from gpswb.gui.partition_result import effective_result
 from gpswb.gui.pieces import without_pieces
+from gpswb.io.ap242.part21 import Part21
 from gpswb.io.ap242.present import present_pmi
 from gpswb.io.ap242.verified import write_verified_ap242
 from gpswb.io.ap242.write import read_text
@@ -27,6 +28,7 @@ from gpswb.io.ply import write_ply
 from gpswb.io.qif import write_qif
 from gpswb.io.result_json import write_result
 from gpswb.io.specification_file import write_specifications
+from gpswb.io.step_coloured import write_coloured_step
 from gpswb.io.stored_result import StoredResult
 from gpswb.io.whole import whole_file
 from gpswb.report.part_report import write_report
@@ -98,16 +100,30 @@ def _ap242(path: Path, obj: Any) -> str:
     try:
         write_verified_ap242(path, *original_of(obj.Source, solid), *pmi)
     except InputError as error:
-        with TemporaryDirectory() as folder:
-            plain = Path(folder) / "part.step"
-            obj.Source.Shape.exportStep(str(plain))
-            text = read_text(plain)
-        write_verified_ap242(path, text, solid, *pmi)
+        write_verified_ap242(path, _as_freecad_writes(obj), solid, *pmi)
         return Sentence(
             "PMI is not on the original STEP text but on the part as FreeCAD writes it: {why}",
             why=str(error),
         )
     return Sentence("PMI is appended to the text of {path}", path=obj.Source.StepFile)
+
+
+def _coloured(path: Path, obj: Any) -> None:
+    stored = effective_result(obj)[0]
+    classes = {f.name: f.invariance_class for f in stored.faces if f.invariance_class is not None}
+    features = annotation_of(obj).table.integral
+    names = {name: f.name for f in features for name in f.faces}
+    try:
+        write_coloured_step(path, *original_of(obj.Source, stored.solid), classes, names)
+    except InputError:
+        write_coloured_step(path, _as_freecad_writes(obj), stored.solid, classes, names)
+
+
+def _as_freecad_writes(obj: Any) -> Part21:
+    with TemporaryDirectory() as folder:
+        plain = Path(folder) / "part.step"
+        obj.Source.Shape.exportStep(str(plain))
+        return read_text(plain)
 
 
 def _qif(path: Path, obj: Any) -> None:
@@ -123,6 +139,7 @@ FORMATS: Mapping[str, tuple[str, Callable[[Path, Any], str | None]]] = {
     ".specifications.csv": ("Permitted specifications, table", _specifications_csv),
     ".given.csv": ("Given specifications, table", _given_csv),
     ".ap242.step": ("AP242 with semantic PMI", _ap242),
+    ".coloured.step": ("STEP, faces named and coloured by class", _coloured),
     ".qif": ("QIF 3.0", _qif),
     ".ply": ("Mesh coloured by class", _ply),
     ".npz": ("Mesh with labels", _labels),

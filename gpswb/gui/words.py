@@ -99,6 +99,7 @@ WORDS = (
     QT_TRANSLATE_NOOP("GPS", "Permitted specifications, table"),
     QT_TRANSLATE_NOOP("GPS", "Given specifications, table"),
     QT_TRANSLATE_NOOP("GPS", "AP242 with semantic PMI"),
+    QT_TRANSLATE_NOOP("GPS", "STEP, faces named and coloured by class"),
     QT_TRANSLATE_NOOP("GPS", "QIF 3.0"),
     QT_TRANSLATE_NOOP("GPS", "Mesh coloured by class"),
     QT_TRANSLATE_NOOP("GPS", "Mesh with labels"),

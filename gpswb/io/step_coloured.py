@@ -1,97 +1,136 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""STEP with faces named and coloured by class (OCP only)."""
+"""A STEP file's own text with its faces named and coloured by class (ISO 10303-46)."""
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
 from pathlib import Path
-from typing import Any
 
-from OCP.IFSelect import IFSelect_RetDone
-from OCP.Interface import Interface_Static
-from OCP.Quantity import Quantity_Color, Quantity_TypeOfColor
-from OCP.STEPCAFControl import STEPCAFControl_Reader, STEPCAFControl_Writer
-from OCP.STEPControl import STEPControl_AsIs
-from OCP.TCollection import TCollection_ExtendedString
-from OCP.TDataStd import TDataStd_Name
-from OCP.TDF import TDF_Label, TDF_LabelSequence
-from OCP.TDocStd import TDocStd_Document
-from OCP.TopAbs import TopAbs_FACE
-from OCP.TopExp import TopExp
-from OCP.TopLoc import TopLoc_Location
-from OCP.TopTools import TopTools_IndexedMapOfShape
-from OCP.XCAFApp import XCAFApp_Application
-from OCP.XCAFDoc import XCAFDoc_ColorSurf, XCAFDoc_DocumentTool
-
-from gpswb.cad.silence import quiet
+from gpswb.cad.solid import Solid
 from gpswb.core.invariance import InvarianceClass
-from gpswb.errors import InputError, OutputError
-from gpswb.io.colours import NONE, WHEEL
+from gpswb.errors import InputError
+from gpswb.io.ap242.match import match_faces
+from gpswb.io.ap242.part21 import Part21
+from gpswb.io.ap242.strings import encode
+from gpswb.io.ap242.structure import shapes_of
+from gpswb.io.ap242.write import appended
+from gpswb.io.colours import NONE, WHEEL, Rgb
+from gpswb.sentence import Sentence
+
+_NAME = re.compile(r"\s*(?:ADVANCED_FACE|FACE_SURFACE)\s*\(\s*('(?:[^']|'')*')", re.IGNORECASE)
+_STYLED = "STYLED_ITEM", "OVER_RIDING_STYLED_ITEM"
+_STYLES = re.compile(r"\(\s*'(?:[^']|'')*'\s*,\s*(\([^()]*\))", re.IGNORECASE)
+"""Name and, captured, the styles of a styled item."""
 
 
 def write_coloured_step(
-    path: Path, source: Path, classes: Mapping[str, InvarianceClass], names: Mapping[str, str]
-) -> None:
-    """Write a STEP file's shape again, its faces coloured by class and named.
+    path: Path,
+    file: Part21,
+    solid: Solid,
+    classes: Mapping[str, InvarianceClass],
+    names: Mapping[str, str],
+) -> tuple[str, ...]:
+    """Write a file with the names and colours of its faces changed, and nothing else.
 
     Args:
-        source: the STEP file.
+        file: the text that ``solid`` was read from.
         classes: class of each face, by the face's name (``Face1`` ...); the others become grey.
         names: text after the face's name: ``Face1 planar Plane 2``.
 
+    Returns:
+        Names of the faces that aren't found in the text, and stay as they are.
+
     Raises:
-        InputError: the kernel can't read the file.
-        OutputError: the kernel can't write it.
+        InputError: none of them is found.
+        OSError: the file can't be written.
     """
-    with quiet():
-        document = TDocStd_Document(TCollection_ExtendedString("coloured"))
-        application = XCAFApp_Application.GetApplication_s()
-        application.NewDocument(TCollection_ExtendedString("MDTV-XCAF"), document)
-        reader = STEPCAFControl_Reader()
-        reader.SetColorMode(False)
-        if reader.ReadFile(str(source)) != IFSelect_RetDone or not reader.Transfer(document):
-            raise InputError(f"{source}: not a STEP file that the kernel can read")
-        faces = TopTools_IndexedMapOfShape()
-        TopExp.MapShapes_s(reader.ChangeReader().OneShape(), TopAbs_FACE, faces)
-        shapes = XCAFDoc_DocumentTool.ShapeTool_s(document.Main())
-        colours = XCAFDoc_DocumentTool.ColorTool_s(document.Main())
-        shades = {name: _colour(rgb) for name, rgb in WHEEL.items()}
-        done: set[Any] = set()
-        for i in range(1, faces.Extent() + 1):
-            name, face = f"Face{i}", faces.FindKey(i)
-            # The occurrences of a part share its faces: the first one names them.
-            label = None if face.TShape() in done else _label(shapes, face)
-            if label is None:
-                continue
-            done.add(face.TShape())
-            found = classes.get(name)
-            shade = shades[found] if found is not None else _colour(NONE)
-            colours.SetColor(label, shade, XCAFDoc_ColorSurf)
-            words = [name, found or "no class", names.get(name, "")]
-            text = TCollection_ExtendedString(" ".join(word for word in words if word), True)
-            TDataStd_Name.Set_s(label, text)
-        writer = STEPCAFControl_Writer()
-        # Names of faces are written only if this is asked for.
-        Interface_Static.SetIVal_s("write.stepcaf.subshapes.name", 1)
-        ready = writer.Transfer(document, STEPControl_AsIs)
-        if not ready or writer.Write(str(path)) != IFSelect_RetDone:
-            raise OutputError(f"the kernel can't write {path.name}")
+    shapes = shapes_of(file)
+    facemap = solid.facemap
+    found = match_faces(file, shapes, solid.mesh, facemap) if facemap is not None else {}
+    if facemap is None or not found:
+        raise InputError(
+            Sentence("{path}: its text holds no B-rep face to colour", path=solid.source)
+        )
+    styled = _styled_items(file)
+    style = _Styles(file.highest + 1)
+    changes: list[tuple[int, int, str]] = []
+    items: dict[int, list[str]] = {}
+    done: set[int] = set()
+    for face in facemap.faces:
+        entity = found.get(face.name)
+        # The occurrences of a part share its faces: the first one names them.
+        if entity is None or entity.number in done:
+            continue
+        done.add(entity.number)
+        given = classes.get(face.name)
+        words = [face.name, given or "no class", names.get(face.name, "")]
+        changes += _change(file, entity.number, _NAME, encode(" ".join(filter(None, words))))
+        assigned = style.of(given or "no class", WHEEL[given] if given else NONE)
+        own = styled.get(entity.number, [])
+        for number in own:
+            changes += _change(file, number, _STYLES, f"({assigned})")
+        if not own:
+            item = style.add(f"STYLED_ITEM('',({assigned}),#{int(entity.number)})")
+            items.setdefault(entity.shape, []).append(item)
+    for shape, new in items.items():
+        context = f"#{int(shapes[shape].context)}"  # type: ignore[arg-type]
+        style.add(
+            "MECHANICAL_DESIGN_GEOMETRIC_PRESENTATION_REPRESENTATION("
+            f"'',({','.join(new)}),{context})"
+        )
+    text = file.text
+    for start, end, new_text in sorted(changes, reverse=True):
+        text = text[:start] + new_text + text[end:]
+    path.write_bytes(appended(Part21(text), style.lines).encode("latin-1"))
+    return tuple(face.name for face in facemap.faces if face.name not in found)
 
 
-def _label(shapes: Any, face: Any) -> Any:
-    """The label of a face in the part that it belongs to; None if it has none."""
-    parts = TDF_LabelSequence()
-    shapes.GetShapes(parts)
-    plain = face.Located(TopLoc_Location())
-    for i in range(1, parts.Length() + 1):
-        part = parts.Value(i)
-        if shapes.IsSimpleShape_s(part) and shapes.IsSubShape(part, plain):
-            label = TDF_Label()
-            shapes.AddSubShape(part, plain, label)
-            return None if label.IsNull() else label
-    return None
+class _Styles:
+    """Entities to be appended, numbered from ``first``; one style a colour."""
+
+    def __init__(self, first: int) -> None:
+        self.lines: list[str] = []
+        self._next = first
+        self._known: dict[str, str] = {}
+
+    def add(self, body: str) -> str:
+        """Append an entity; its reference."""
+        number = f"#{self._next}"
+        self._next += 1
+        self.lines.append(f"{number}={body};")
+        return number
+
+    def of(self, name: str, rgb: Rgb) -> str:
+        """The style that fills a surface with a colour, on both sides."""
+        if name not in self._known:
+            shares = ",".join(f"{value / 255:.6f}" for value in rgb)
+            colour = self.add(f"COLOUR_RGB({encode(name)},{shares})")
+            filled = self.add(f"FILL_AREA_STYLE_COLOUR('',{colour})")
+            area = self.add(f"FILL_AREA_STYLE('',({filled}))")
+            surface = self.add(f"SURFACE_STYLE_FILL_AREA({area})")
+            side = self.add(f"SURFACE_SIDE_STYLE('',({surface}))")
+            usage = self.add(f"SURFACE_STYLE_USAGE(.BOTH.,{side})")
+            self._known[name] = self.add(f"PRESENTATION_STYLE_ASSIGNMENT(({usage}))")
+        return self._known[name]
 
 
-def _colour(rgb: tuple[int, int, int]) -> Quantity_Color:
-    red, green, blue = (value / 255.0 for value in rgb)
-    return Quantity_Color(red, green, blue, Quantity_TypeOfColor.Quantity_TOC_sRGB)
+def _styled_items(file: Part21) -> dict[int, list[int]]:
+    """The styled items of each entity that has some."""
+    found: dict[int, list[int]] = {}
+    for number in file.of(*_STYLED):
+        for keyword in _STYLED:
+            parameters = file[number].get(keyword, ())
+            if len(parameters) > 2 and isinstance(parameters[2], int):
+                found.setdefault(int(parameters[2]), []).append(number)
+    return found
+
+
+def _change(
+    file: Part21, number: int, what: re.Pattern[str], text: str
+) -> list[tuple[int, int, str]]:
+    """Start, end and new text of what a pattern captures in an entity; nothing if it isn't there:
+    a comment may stand in between."""
+    start, end = file.span(number)
+    match = what.search(file.text, start, end)
+    return [] if match is None else [(match.start(1), match.end(1), text)]

@@ -6,16 +6,20 @@ from pathlib import Path
 
 import FreeCAD
 import FreeCADGui
+import ImportGui
 import Part
-from test_partition_panel import true_classes
+from test_partition_panel import rgb, true_classes
 from window import button, click_in_view, picture, settle, steady, wait
 
 import gpswb
 from gpswb.gui.commands import GROUPS, MODULES
 from gpswb.gui.commands.import_part import bring_in
-from gpswb.gui.compat import QtGui, QtWidgets
+from gpswb.gui.compat import QtGui, QtWidgets, face_colours
+from gpswb.gui.exports import export
+from gpswb.gui.importing import import_part
 from gpswb.gui.objects.partition import make_partition
 from gpswb.gui.panels.show import shown_panel
+from gpswb.io.colours import WHEEL
 
 NEED_RESULT = {"GPS_Validate", "GPS_Legend", "GPS_Query", "GPS_Report", "GPS_Export"}
 
@@ -153,3 +157,18 @@ def test_a_pick_on_the_mesh_means_the_face(block, partition):
     settle()
     assert seen["Component"] in shown_panel().text.text()
     picture("query_mesh")
+
+
+def test_coloured_step_of_a_part_that_has_colours(block, partition, tmp_path):
+    """Every face comes back in the colour of its class, whatever colours the part's file has."""
+    given, written = tmp_path / "given.step", tmp_path / "part.coloured.step"
+    partition.ViewObject.Visibility = False  # the user's own colours are back
+    ImportGui.export([block], str(given))
+    assert given.read_text("latin-1").count("COLOUR_RGB") >= 2
+    (part,) = import_part(given, block.Document)
+    own = make_partition(part, "auto", "robust")
+    export(own, written)
+    (again,) = import_part(written, block.Document)
+    expected = [WHEEL[name] for name in true_classes(again)]
+    assert rgb(face_colours(again.ViewObject)) == expected
+    assert "Face7 " in written.read_text("latin-1")

@@ -452,6 +452,10 @@
       <translation type="unfinished" />
     </message>
     <message>
+      <source>STEP, faces named and coloured by class</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <source>Save table</source>
       <translation type="unfinished" />
     </message>
@@ -1413,6 +1417,10 @@
     </message>
     <message>
       <source>{path}: is a directory, not a file</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>{path}: its text holds no B-rep face to colour</source>
       <translation type="unfinished" />
     </message>
     <message>

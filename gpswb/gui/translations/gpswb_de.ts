@@ -452,6 +452,10 @@
       <translation>Zweiter Vorschlag</translation>
     </message>
     <message>
+      <source>STEP, faces named and coloured by class</source>
+      <translation>STEP, Flächen nach Klasse benannt und gefärbt</translation>
+    </message>
+    <message>
       <source>Save table</source>
       <translation>Tabelle speichern</translation>
     </message>
@@ -1414,6 +1418,10 @@
     <message>
       <source>{path}: is a directory, not a file</source>
       <translation>{path}: ist ein Verzeichnis, keine Datei</translation>
+    </message>
+    <message>
+      <source>{path}: its text holds no B-rep face to colour</source>
+      <translation>{path}: sein Text enthält keine B-Rep-Fläche zum Färben</translation>
     </message>
     <message>
       <source>{path}: no face of the shape can be tessellated</source>

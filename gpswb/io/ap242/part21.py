@@ -100,6 +100,10 @@ class Part21:
     def __contains__(self, number: object) -> bool:
         return number in self._spans
 
+    def span(self, number: int) -> tuple[int, int]:
+        """Where in the text an entity stands, from its equals sign to its semicolon."""
+        return self._spans[number]
+
     def body(self, number: int) -> str:
         """Text of an entity after its equals sign."""
         start, end = self._spans[number]
