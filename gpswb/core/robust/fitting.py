@@ -5,20 +5,36 @@ from __future__ import annotations
 
 import numpy as np
 
-from gpswb.core.mesh import FloatArray
+from gpswb.core.mesh import FloatArray, IntArray
 from gpswb.core.robust.first_guess import cylinder_guess, guess, torus_starts
-from gpswb.core.robust.surfaces import Kind, distance_jacobian
+from gpswb.core.robust.surfaces import Kind, distance, distance_jacobian
 from gpswb.core.robust.torus_chart import TorusChart
 
 ITERATIONS = 30
 """Levenberg-Marquardt steps at most; exact data converge quadratically in fewer than ten."""
 
+ROUGH = 12
+"""Steps that tell which of several starts ends nearest."""
+
 STALLED = 0.98
 """Share of the cost that a step must leave less than: exact data lose orders of magnitude a step,
 and whether other data end a little nearer changes nothing."""
 
+HOPELESS = 0.5
+"""The same for data that are still far from what would be enough."""
+
+FAR = 100.0
+"""How many times what would be enough is far: fits that end nearer take their time."""
+
 PATIENCE = 4
 """Such steps in a row that end a fit: a narrow valley may take some."""
+
+SURE = 1e-4
+"""Share of what would be enough that leaves nothing to gain: the surface is fitted anew to what it
+grows to."""
+
+FIRST = 10
+"""Steps in which the scale of a robust fit falls, whatever they gain."""
 
 
 def fit_patches(
@@ -27,7 +43,9 @@ def fit_patches(
     weights: FloatArray,
     centres: FloatArray,
     normals: FloatArray,
-    robust_floor: float | None = None,
+    robust_floor: FloatArray | float | None = None,
+    enough: FloatArray | None = None,
+    cylinders: FloatArray | None = None,
 ) -> FloatArray:
     """The surface of one kind nearest to each patch, from several starts where one won't do.
 
@@ -37,7 +55,8 @@ def fit_patches(
         weights: (b, n), 0 for padding.
         centres: (b, f, 3) facet centroids in the same scale.
         normals: (b, f, 3) facet normals times the square root of their weight (0 for padding).
-        robust_floor: see ``fit``.
+        robust_floor, enough: see ``fit``.
+        cylinders: (b, 8) the cylinders that are nearest, where they are known already.
 
     Returns:
         (b, 8) surfaces, see ``surfaces``.
@@ -50,23 +69,38 @@ def fit_patches(
         starts = torus_starts(points, weights, centres, normals)
     elif kind == "cone":
         # A cone's normals hardly turn on a small patch; its nearest cylinder is the safer start.
-        start = cylinder_guess(points, weights, centres, normals)
-        start = fit("cylinder", start, points, weights, robust_floor, iterations=10)
-        starts = [start, guess("cone", points, weights, centres, normals)]
+        if cylinders is None:
+            start = cylinder_guess(points, weights, centres, normals)
+            cylinders = fit("cylinder", start, points, weights, robust_floor, iterations=FIRST)
+        cones = cylinders.copy()
+        cones[:, 7] = 0.0
+        starts = [cones, guess("cone", points, weights, centres, normals)]
     elif kind == "cylinder":
         starts = [cylinder_guess(points, weights, centres, normals)]
     else:
         starts = [guess(kind, points, weights, centres, normals)]
+    start = starts[0]
     if len(starts) > 1:
-        rough = [fit(kind, s, points, weights, robust_floor, iterations=12) for s in starts]
-        error = [
-            np.sum(weights * np.abs(distance_jacobian(kind, r, points)[0]), axis=1) for r in rough
-        ]
-        best = np.argmin(np.nan_to_num(np.array(error), nan=np.inf), axis=0)
-        start = np.stack(rough)[best, np.arange(len(points))]
-    else:
-        start = starts[0]
-    return fit(kind, start, points, weights, robust_floor)
+        k, b = len(starts), len(points)
+        again = np.tile(np.arange(b), k)
+        rough = fit(
+            kind,
+            np.concatenate(starts),
+            points[again],
+            weights[again],
+            _at(robust_floor, again),
+            _at(enough, again),
+            ROUGH,
+        )
+        off = np.abs(distance(kind, rough, points[again])[0])
+        error = np.nan_to_num(np.einsum("bn,bn->b", weights[again], off), nan=np.inf)
+        best = np.argmin(error.reshape(k, b), axis=0)
+        start = rough.reshape(k, b, 8)[best, np.arange(b)]
+    return fit(kind, start, points, weights, robust_floor, enough)
+
+
+def _at(values: FloatArray | float | None, rows: IntArray) -> FloatArray | float | None:
+    return values[rows] if isinstance(values, np.ndarray) else values
 
 
 def fit(
@@ -74,7 +108,8 @@ def fit(
     surface: FloatArray,
     points: FloatArray,
     weights: FloatArray,
-    robust_floor: float | None = None,
+    robust_floor: FloatArray | float | None = None,
+    enough: FloatArray | float | None = None,
     iterations: int = ITERATIONS,
 ) -> FloatArray:
     """Surfaces of least squared distance (Levenberg-Marquardt, analytic Jacobian).
@@ -85,28 +120,39 @@ def fit(
         points: (b, n, 3) with ``weights`` (b, n).
         robust_floor: None for plain least squares; otherwise points that don't belong are
             weighted down (Geman-McClure), with a scale that falls to this one, in the points' unit.
+        enough: distance that counts as none, in the points' unit: fits that are far nearer, or
+            won't come near, end early. 0 where only the best will do.
+        iterations: steps at most.
 
     Returns:
         (b, 8) surfaces; the direction is a unit vector.
     """
     surface = surface.copy()
     b = len(surface)
-    damping = np.full(b, 1e-5)
+    # In memory axis by axis, as distances are computed.
+    axes = np.ascontiguousarray(np.swapaxes(points, 1, 2))
+    points = np.swapaxes(axes, 1, 2)
+    total = np.maximum(weights.sum(axis=1), 1e-12)
+    middle = (weights[:, None] @ points)[:, 0] / total[:, None]
+    near = np.zeros(b) if enough is None else np.broadcast_to(np.square(enough), b) * total
+    damping, scale = np.full(b, 1e-5), np.full(b, np.inf)
     idle = np.zeros(b, dtype=np.int64)
-    scale = np.full(b, np.inf)
-    d, jac = distance_jacobian(kind, surface, points)
-    middle = (weights[:, None] @ points)[:, 0] / np.maximum(weights.sum(axis=1), 1e-12)[:, None]
     live = np.arange(b)
+    p, weight = points, weights
+    hopeless = STALLED if enough is None or robust_floor is not None else HOPELESS
+    d, rows = _distance_rows(kind, surface, p)
     for step in range(iterations):
         if robust_floor is not None:
-            median = _weighted_median(np.abs(d), weights[live])
-            scale[live] = np.maximum(np.minimum(2.0 * median, scale[live] * 0.7), robust_floor)
-        w = weights[live] * _influence(d, scale[live])
-        cost = _cost(d, weights[live], scale[live])
+            median = _weighted_median(np.abs(d), weight)
+            falling = np.minimum(2.0 * median, scale[live] * 0.7)
+            scale[live] = np.maximum(falling, _at(robust_floor, live))
+        now = None if robust_floor is None else scale[live]
+        w = weight if now is None else weight * _influence(d, now)
+        cost = _cost(d, weight, now)
         chart = TorusChart.at(surface[live], middle[live]) if kind == "torus" else None
-        slope = jac if chart is None else jac @ chart.derivative()
-        weighted = np.swapaxes(slope * w[..., None], 1, 2)
-        h = weighted @ slope
+        slope = rows if chart is None else np.swapaxes(chart.derivative(), 1, 2) @ rows
+        weighted = slope * w[:, None]
+        h = weighted @ np.swapaxes(slope, 1, 2)
         g = (weighted @ d[..., None])[..., 0]
         # The gauge freedoms (a point may slide along its axis) make h singular: damping fixes them.
         size = np.maximum(np.trace(h, axis1=1, axis2=2), 1e-30)
@@ -119,31 +165,47 @@ def fit(
             trial[:, 3:6] /= np.maximum(np.linalg.norm(trial[:, 3:6], axis=1), 1e-12)[:, None]
         else:
             trial = chart.moved(move).surface
-        d_new, jac_new = distance_jacobian(kind, trial, points[live])
-        cost_new = _cost(d_new, weights[live], scale[live])
+        d_new, rows_new = _distance_rows(kind, trial, p)
+        cost_new = _cost(d_new, weight, now)
         better = (cost_new <= cost) & np.isfinite(trial).all(axis=1)
         surface[live[better]] = trial[better]
         damping[live] = np.where(better, damping[live] * 0.03, damping[live] * 10.0)
-        d = np.where(better[:, None], d_new, d)
-        jac = np.where(better[:, None, None], jac_new, jac)
+        d_new[~better], rows_new[~better] = d[~better], rows[~better]
+        d, rows = d_new, rows_new
         moving = (np.abs(move).max(axis=1) > 1e-13) & (damping[live] < 1e8)
-        idle[live] = np.where(better & (cost_new >= STALLED * cost), idle[live] + 1, 0)
+        moving &= ~better | (cost_new > SURE**2 * near[live])
+        least = np.where(cost_new > FAR**2 * near[live], hopeless, STALLED)
+        idle[live] = np.where(
+            better, np.where(cost_new < least * cost, 0, idle[live] + 1), idle[live]
+        )
         moving &= idle[live] < PATIENCE
-        if robust_floor is not None and step < 10:
+        if robust_floor is not None and step < FIRST:
             moving[:] = True
         if not moving.any():
             break
-        live, d, jac = live[moving], d[moving], jac[moving]
+        if not moving.all():
+            live, d, rows = live[moving], d[moving], rows[moving]
+            p, weight = np.swapaxes(axes[live], 1, 2), weights[live]
     return surface
+
+
+def _distance_rows(
+    kind: Kind, surface: FloatArray, points: FloatArray
+) -> tuple[FloatArray, FloatArray]:
+    """(b, n) distances and (b, 8, n) their derivatives."""
+    d, jacobian = distance_jacobian(kind, surface, points)
+    return d, np.swapaxes(jacobian, 1, 2)
 
 
 def _influence(d: FloatArray, scale: FloatArray) -> FloatArray:
     return (1.0 / (1.0 + (d / scale[:, None]) ** 2)) ** 2
 
 
-def _cost(d: FloatArray, weights: FloatArray, scale: FloatArray) -> FloatArray:
-    s2 = np.minimum(scale, 1e30)[:, None] ** 2
-    cost: FloatArray = np.sum(weights * d**2 / (1.0 + d**2 / s2), axis=1)
+def _cost(d: FloatArray, weights: FloatArray, scale: FloatArray | None) -> FloatArray:
+    square = d * d
+    if scale is not None:
+        square /= 1.0 + square / scale[:, None] ** 2
+    cost: FloatArray = np.einsum("bn,bn->b", weights, square)
     return cost
 
 

@@ -22,6 +22,10 @@ ROBUST_SHARE = 0.3
 ROBUST_LEAST = 16
 """Vertices of a part in which a robust fit may choose; smaller parts are halved instead."""
 
+FITTED = 48
+"""Vertices of a part that a surface is fitted to: seven unknowns need far fewer. All are asked
+whether they lie on it."""
+
 FEW = 12
 """Facets with fewer of which pieces of anything lie near some surface: such a part doesn't look
 freeform, and no half is that small where the tolerance is wider than rounding."""
@@ -62,8 +66,10 @@ def explain(
     """
     hypotheses: list[Hypothesis] = []
     freeform = np.zeros(len(patches.centre))
-    nearest = np.zeros((len(freeform), 8))
+    nearest: dict[Kind, FloatArray] = {kind: np.zeros((len(freeform), 8)) for kind in KINDS}
     left = np.arange(len(patches.centre))
+    few = patches.thinned(FITTED)
+    enough = tolerance / patches.scale
     for robust in (False, True):
         for kind in KINDS:
             if robust:
@@ -72,17 +78,26 @@ def explain(
             if not len(left):
                 continue
             some = patches.take(left)
-            floor = float(np.median(tolerance / some.scale)) if robust else None
+            floor = enough[left] if robust else None
+            thin = few.take(left)
             if robust and kind == "torus":
-                local = fit(kind, nearest[left], some.points, some.weights, floor)
+                local = fit(kind, nearest[kind][left], thin.points, thin.weights, floor)
             else:
                 local = fit_patches(
-                    kind, some.points, some.weights, some.centroids, some.normals, floor
+                    kind,
+                    thin.points,
+                    thin.weights,
+                    thin.centroids,
+                    thin.normals,
+                    floor,
+                    enough[left],
+                    nearest["cylinder"][left] if kind == "cone" else None,
                 )
+            nearest[kind][left] = local
             world = to_world(local, some.centre, some.scale, kind)
             d, _ = distance(kind, local, some.points)
             d = np.where(some.weights > 0, np.abs(d), 0.0)
-            inside = (d <= (tolerance / some.scale)[:, None]) & (some.weights > 0)
+            inside = (d <= enough[left, None]) & (some.weights > 0)
             share = inside.sum(axis=1) / np.maximum(some.weights.sum(axis=1), 1.0)
             # A robust fit chooses its own points: it needs more of them to prove something.
             good = inside.sum(axis=1) - UNKNOWNS[kind] >= (3 if robust else 2)
@@ -93,7 +108,6 @@ def explain(
                     score = float(share[row] * size[left[row]])
                     hypotheses.append(Hypothesis(kind, world[row], seed, score))
             if kind == "torus" and not robust:
-                nearest[left] = local
                 worst = d.max(axis=1)
                 looks = ~good & (worst < FREEFORM * bend_of(some)) & (size[left] >= FEW)
                 freeform[left[looks]] = (worst * some.scale)[looks]

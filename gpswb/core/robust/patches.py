@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -44,6 +44,21 @@ class Patches:
             self.weights[rows],
             self.centroids[rows],
             self.normals[rows],
+        )
+
+    def thinned(self, most: int) -> Patches:
+        """The same patches with at most so many vertices, evenly spaced in their order."""
+        if self.vertices.shape[1] <= most:
+            return self
+        count = (self.vertices >= 0).sum(axis=1)
+        slot = np.arange(most)
+        # Padding stands behind a row's vertices, and stays there.
+        pick = np.where(count[:, None] > most, slot * count[:, None] // most, slot)
+        return replace(
+            self,
+            vertices=np.take_along_axis(self.vertices, pick, axis=1),
+            points=np.take_along_axis(self.points, pick[..., None], axis=1),
+            weights=np.take_along_axis(self.weights, pick, axis=1),
         )
 
 

@@ -58,50 +58,70 @@ def distance_jacobian(
 def _evaluate(
     kind: Kind, surface: FloatArray, points: FloatArray, jacobian: bool
 ) -> tuple[FloatArray, FloatArray, FloatArray]:
-    origin, u = surface[:, None, 0:3], surface[:, None, 3:6]
-    a, b = surface[:, None, 6], surface[:, None, 7]
-    x = points - origin
-    jac = np.zeros((*x.shape[:2], 8) if jacobian else (0, 0, 8))
+    # Axis by axis, each (b, n) in a row of memory: several times faster than (b, n, 3) at once.
+    ox, oy, oz, ux, uy, uz, a, b = surface.T[:, :, None]
+    x, y, z = points[..., 0] - ox, points[..., 1] - oy, points[..., 2] - oz
+    rows = np.zeros((len(surface), 8, x.shape[1]) if jacobian else (0, 8, 0))
     if kind == "sphere":
-        length = np.sqrt(np.einsum("bnk,bnk->bn", x, x))
-        normal = x / np.maximum(length, TINY)[..., None]
+        length = np.sqrt(x * x + y * y + z * z)
+        normal = _rows_of(x, y, z, 1.0 / np.maximum(length, TINY))
         if jacobian:
-            jac[..., 0:3] = -normal
-            jac[..., 6] = -1.0
-        return length - a, normal, jac
-    t = np.einsum("bnk,bnk->bn", x, np.broadcast_to(u, x.shape))
+            np.negative(normal, out=rows[:, 0:3])
+            rows[:, 6] = -1.0
+        return length - a, _last(normal), _last(rows)
+    t = x * ux + y * uy + z * uz
     if kind == "plane":
+        along = np.broadcast_to(surface[:, None, 3:6], (*x.shape, 3))
         if jacobian:
-            jac[..., 0:3] = -u
-            jac[..., 3:6] = x - t[..., None] * u
-        return t, np.broadcast_to(u, x.shape), jac
-    radial = x - t[..., None] * u
-    rho = np.sqrt(np.einsum("bnk,bnk->bn", radial, radial))
-    e = radial / np.maximum(rho, TINY)[..., None]
+            rows[:, 0:3] = -surface[:, 3:6, None]
+            rows[:, 3], rows[:, 4], rows[:, 5] = x - t * ux, y - t * uy, z - t * uz
+        return t, along, _last(rows)
+    x -= t * ux
+    y -= t * uy
+    z -= t * uz
+    rho = np.sqrt(x * x + y * y + z * z)
+    e = _rows_of(x, y, z, 1.0 / np.maximum(rho, TINY))
     if kind == "cylinder":
         if jacobian:
-            jac[..., 0:3] = -e
-            jac[..., 3:6] = -t[..., None] * e
-            jac[..., 6] = -1.0
-        return rho - a, e, jac
+            np.negative(e, out=rows[:, 0:3])
+            np.multiply(rows[:, 0:3], t[:, None], out=rows[:, 3:6])
+            rows[:, 6] = -1.0
+        return rho - a, _last(e), _last(rows)
+    u = surface[:, 3:6, None]
     if kind == "cone":
         cos, sin = np.cos(b), np.sin(b)
-        normal = cos[..., None] * e - sin[..., None] * u
+        normal = cos[:, None] * e - sin[:, None] * u
+        along = t * cos + rho * sin
         if jacobian:
-            jac[..., 0:3] = -normal
-            jac[..., 3:6] = -(t * cos + rho * sin)[..., None] * e
-            jac[..., 6] = -1.0
-            jac[..., 7] = -rho * sin - t * cos
-        return rho * cos - t * sin - a, normal, jac
-    tube = np.sqrt((rho - a) ** 2 + t**2)
-    f, g = (rho - a) / np.maximum(tube, TINY), t / np.maximum(tube, TINY)
-    normal = f[..., None] * e + g[..., None] * u
+            np.negative(normal, out=rows[:, 0:3])
+            np.multiply(e, -along[:, None], out=rows[:, 3:6])
+            rows[:, 6] = -1.0
+            np.negative(along, out=rows[:, 7])
+        return rho * cos - t * sin - a, _last(normal), _last(rows)
+    beyond = rho - a
+    tube = np.sqrt(beyond * beyond + t * t)
+    inverse = 1.0 / np.maximum(tube, TINY)
+    f, g = beyond * inverse, t * inverse
+    normal = f[:, None] * e + g[:, None] * u
     if jacobian:
-        jac[..., 0:3] = -normal
-        jac[..., 3:6] = (g * rho - f * t)[..., None] * e
-        jac[..., 6] = -f
-        jac[..., 7] = -1.0
-    return tube - b, normal, jac
+        np.negative(normal, out=rows[:, 0:3])
+        np.multiply(e, (g * rho - f * t)[:, None], out=rows[:, 3:6])
+        np.negative(f, out=rows[:, 6])
+        rows[:, 7] = -1.0
+    return tube - b, _last(normal), _last(rows)
+
+
+def _rows_of(x: FloatArray, y: FloatArray, z: FloatArray, factor: FloatArray) -> FloatArray:
+    """(b, 3, n) three (b, n) axes times a factor."""
+    out = np.empty((len(x), 3, x.shape[1]))
+    for i, axis in enumerate((x, y, z)):
+        np.multiply(axis, factor, out=out[:, i])
+    return out
+
+
+def _last(rows: FloatArray) -> FloatArray:
+    """(b, n, k) view of (b, k, n) rows."""
+    return np.swapaxes(rows, 1, 2)
 
 
 def largest_curvature(kind: Kind, surface: FloatArray, points: FloatArray) -> FloatArray:
