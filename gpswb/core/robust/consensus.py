@@ -18,6 +18,7 @@ from gpswb.core.robust.parts import connected_parts, halves, spread_over
 from gpswb.core.robust.patches import patches_around, patches_of
 from gpswb.core.robust.proof import LEAST, SAMPLE, proved
 from gpswb.core.robust.topology import FacetGraph
+from gpswb.core.robust.unbroken import unbroken_parts
 
 CREASE = np.deg2rad(40.0)
 """Patches don't cross edges that turn by more: coarse tessellations turn by 28.6° (0.5 rad)."""
@@ -32,6 +33,9 @@ beside the small facets of its fillet would be most of the part's size, and few 
 LEAST_BEND = 4.0
 """Tolerances that a part's vertices must leave their mean plane by: a flatter one proves nothing,
 and its halves are flatter still."""
+
+ALIKE = 30.0
+"""Tolerances within which a part of one face lies near a surface: its pieces may lie on it."""
 
 MOST = 512
 """Parts of one level that are fitted, larger first, unless some of them are explained: what has
@@ -113,6 +117,7 @@ def _descend(
         if not len(order):
             return found
         tried = np.zeros(len(size), dtype=bool)
+        left = np.zeros(len(size))
         for start in range(0, len(order), BATCH):
             batch = order[start : start + BATCH]
             known = len(found)
@@ -122,15 +127,20 @@ def _descend(
             if not len(batch):
                 continue
             tried[batch] = True
-            hypotheses, freeform = explain(mesh, patches, size[batch], tolerance)
+            hypotheses, freeform, left[batch] = explain(mesh, patches, size[batch], tolerance)
             hypotheses.sort(key=lambda h: -h.score)
             found += _grow_all(mesh, graph, hypotheses, free, tolerance)
             _note_freeform(part, batch, freeform, doubt, smooth)
             if start >= MOST and len(found) == known:
                 break
         least = LEAST if exact else FEW
-        worth = np.append(tried & (size > least), False)
-        group = halves(graph, np.where(free & worth[part], part, -1), flat)
+        part = np.where(free, part, -1)
+        whole = unbroken_parts(mesh, graph, part, flat, tried & (left > ALIKE * tolerance))
+        # What is of one face, and isn't on any surface, has no part that is.
+        inside = np.append(whole, False)[part]
+        smooth[inside] = np.append(left, 0.0)[part[inside]]
+        worth = np.append(tried & (size > least) & ~whole, False)
+        group = halves(graph, np.where(worth[part], part, -1), flat)
 
 
 def _note_freeform(
@@ -205,7 +215,7 @@ def _around_seeds(
                 continue
             patches = patches_around(mesh, graph, batch, passable, rings)
             count = (patches.facets >= 0).sum(axis=1)
-            hypotheses, _ = explain(mesh, patches, count, tolerance)
+            hypotheses, _, _ = explain(mesh, patches, count, tolerance)
             hypotheses.sort(key=lambda h: -h.score)
             found += _grow_all(mesh, graph, hypotheses, free, tolerance)
     return found

@@ -48,7 +48,7 @@ class Hypothesis:
 
 def explain(
     mesh: Mesh, patches: Patches, size: IntArray, tolerance: float
-) -> tuple[list[Hypothesis], FloatArray]:
+) -> tuple[list[Hypothesis], FloatArray, FloatArray]:
     """The simplest surface that explains each patch, where one does.
 
     Plain least squares first; where a patch crosses a border, a robust fit may still find the
@@ -61,11 +61,12 @@ def explain(
         tolerance: distance that counts as none, mm.
 
     Returns:
-        The hypotheses, and (b,) mm: what the best torus leaves of the patches that look freeform,
-        0 for the others.
+        The hypotheses; (b,) mm: what the best torus leaves of the patches that look freeform, 0 for
+        the others; and (b,) mm: what the nearest surface of any kind leaves of each.
     """
     hypotheses: list[Hypothesis] = []
     freeform = np.zeros(len(patches.centre))
+    residual = np.full(len(freeform), np.inf)
     nearest: dict[Kind, FloatArray] = {kind: np.zeros((len(freeform), 8)) for kind in KINDS}
     left = np.arange(len(patches.centre))
     few = patches.thinned(FITTED)
@@ -107,15 +108,16 @@ def explain(
                 if seed is not None:
                     score = float(share[row] * size[left[row]])
                     hypotheses.append(Hypothesis(kind, world[row], seed, score))
+            worst = np.nan_to_num(d.max(axis=1), nan=np.inf)
+            residual[left] = np.minimum(residual[left], worst * some.scale)
             if kind == "torus" and not robust:
-                worst = d.max(axis=1)
                 looks = ~good & (worst < FREEFORM * bend_of(some)) & (size[left] >= FEW)
                 freeform[left[looks]] = (worst * some.scale)[looks]
             # What a robust fit explains in part is no freeform surface.
             freeform[left[good]] = 0.0
             left = left[~good]
         left = left[patches.weights[left].sum(axis=1) >= ROBUST_LEAST]
-    return hypotheses, freeform
+    return hypotheses, freeform, residual
 
 
 def _seed(
