@@ -60,42 +60,53 @@ def compete(
         tolerance = max(OUTLYING * stand_off(g, vertices_of(mesh, own)), floor)
         facets = flood(mesh, graph, g.kind, g.surface, own, free, tolerance)
         facets = np.union1d(facets, own)
-        flat = facets[certain[polygon[facets]]]
-        taken = np.bincount(polygon[flat], minlength=len(certain))
-        creased = _creased(graph, facets, polygon, certain)
-        bridging = _bridging(mesh, g, facets, polygon, certain)
-        part = certain[polygon[facets]] & ((taken < size) | creased | bridging)[polygon[facets]]
-        facets = facets[~part]
+        facets = facets[~_not_its_own(mesh, graph, g, facets, polygon, certain, size)]
         free[facets] = False
         out.append(Grown(g.kind, g.surface, facets))
     return out
 
 
-def _bridging(
-    mesh: Mesh, grown: Grown, facets: IntArray, polygon: IntArray, certain: BoolArray
+def _not_its_own(
+    mesh: Mesh,
+    graph: FacetGraph,
+    grown: Grown,
+    facets: IntArray,
+    polygon: IntArray,
+    certain: BoolArray,
+    size: IntArray,
 ) -> BoolArray:
-    """(k,) certain polygons whose facets pass far below the surface that their corners lie on.
+    """Which facets are of a plane that the region took in part, only touches, or bridges.
 
-    All vertices of a flat end may lie on the circle at which the fillet around it touches it.
+    Args:
+        mesh: the mesh.
+        graph: its adjacency.
+        grown: the surface.
+        facets: (f,) what it grew to.
+        polygon: (m,) polygon of each facet.
+        certain: (k,) polygons that were taken for planes; ``size`` (k,) their facets.
+
+    Returns:
+        (f,) bool.
     """
+    own = polygon[facets]
+    flat = certain[own]
+    if not flat.any():
+        return flat
+    polygons, number = np.unique(own[flat], return_inverse=True)
+    taken = np.bincount(number)
+    # All vertices of a flat end may lie on the circle at which the fillet around it touches it; its
+    # facets pass far below the surface that their corners lie on.
     d, _ = distance(grown.kind, grown.surface[None], mesh.centroids[facets][None])
     chord = np.abs(d[0])
-    flat = certain[polygon[facets]]
-    far = flat & (chord > CHORD * float(chord[~flat].max(initial=0.0)))
-    out = np.zeros(len(certain), dtype=bool)
-    out[polygon[facets[far]]] = True
-    return out
-
-
-def _creased(
-    graph: FacetGraph, facets: IntArray, polygon: IntArray, certain: BoolArray
-) -> BoolArray:
-    """(k,) certain polygons that meet the rest of a region at a crease: they only touch it."""
+    far = chord[flat] > CHORD * float(chord[~flat].max(initial=0.0))
+    # Or it meets the rest of the region at a crease.
     inside = np.zeros(len(polygon), dtype=bool)
     inside[facets] = True
-    a, b = graph.pairs.T
-    across = inside[a] & inside[b] & (polygon[a] != polygon[b])
-    across &= np.abs(graph.pair_dihedral) > CREASED
-    out = np.zeros(len(certain), dtype=bool)
-    out[polygon[graph.pairs[across]].ravel()] = True
-    return out & certain
+    neighbour = graph.neighbour[facets[flat]]
+    across = (neighbour >= 0) & inside[neighbour] & (polygon[neighbour] != own[flat, None])
+    creased = (across & (np.abs(graph.dihedral[facets[flat]]) > CREASED)).any(axis=1)
+    refused = taken < size[polygons]
+    refused[number[far | creased]] = True
+    out = flat.copy()
+    out[flat] = refused[number]
+    return out

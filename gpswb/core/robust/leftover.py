@@ -18,6 +18,7 @@ from gpswb.core.robust.smooth_parts import smooth_parts
 from gpswb.core.robust.strips import few_polygons
 from gpswb.core.robust.swept import LEAST_FACETS, follows
 from gpswb.core.robust.topology import FacetGraph
+from gpswb.core.robust.unbroken import unbroken_parts
 from gpswb.core.tolerances import Tolerances
 
 SYMMETRIC_SHARE = 0.5
@@ -67,8 +68,16 @@ def label_leftover(
     joined &= (np.abs(graph.pair_dihedral) < CREASE) & ~first.crease
     part = np.where(rest, smooth_parts(mesh, graph, joined)[0], -1)
     part, _ = number_facet_regions(part, mesh)
-    part = _swept_apart(mesh, graph, first, part, joined, sigma, tolerances)
-    broken = rest & (classes_of(mesh, part, first.crease, sigma, tolerances) == "complex")[part]
+    names = classes_of(mesh, part, first.crease, sigma, tolerances)
+    open_ = names == "complex"
+    # What is seen to be one face isn't a swept one and something else, nor symmetric pieces.
+    open_ &= ~unbroken_parts(mesh, graph, part, joined, open_)
+    broken = np.append(open_, False)[part]
+    cut = _swept_apart(mesh, graph, first, part, broken, joined, sigma, tolerances)
+    if (cut != part).any():
+        part = cut
+        names = classes_of(mesh, part, first.crease, sigma, tolerances)
+        broken &= np.append(names == "complex", False)[part]
     out[rest] = int(out.max(initial=-1)) + 1 + part[rest]
     if broken.any():
         pieces = _pieces(mesh, first, part, broken, sigma, tolerances)
@@ -82,18 +91,18 @@ def _swept_apart(
     graph: FacetGraph,
     first: InitialPartition,
     part: IntArray,
+    broken: BoolArray,
     smooth: BoolArray,
     sigma: float,
     tolerances: Tolerances,
 ) -> IntArray:
-    """(m,) the parts, with swept faces cut out of those that no symmetry fits whole.
+    """(m,) the parts, with swept faces cut out of those that are broken, which no symmetry fits.
 
     A face that holds most of a part holds one of its halves, quarters or eighths whole: the motion
     of such a piece is sought, and the facets of the part that follow it.
     """
-    names = classes_of(mesh, part, first.crease, sigma, tolerances)
     out = part.copy()
-    piece = np.where((part >= 0) & (names == "complex")[part], part, -1)
+    piece = np.where(broken, part, -1)
     for _ in range(LEVELS):
         piece = connected_parts(graph, halves(graph, piece, smooth), smooth)
         size = np.bincount(piece[piece >= 0])
@@ -112,6 +121,8 @@ def _swept_apart(
                 if classes_of(mesh, trial, first.crease, sigma, tolerances)[0] != "complex":
                     out[face] = int(out.max()) + 1
                     piece[face] = -1
+    if (out == part).all():
+        return part
     return connected_parts(graph, out, np.ones(len(graph.pairs), dtype=bool))
 
 

@@ -27,12 +27,14 @@ class FacetGraph:
         dihedral: (m, 3) signed angle between the two normals, rad; positive where the edge is
             convex, 0 without a neighbour.
         pairs: (e, 2) facets of each interior edge; ``pair_dihedral`` (e,) their angle.
+        pair_sides: (e, 2) which side of which facet each edge is: 3 * facet + side.
         pair_edges: (e, 2) vertices of each interior edge.
     """
 
     neighbour: IntArray
     dihedral: FloatArray
     pairs: IntArray
+    pair_sides: IntArray
     pair_edges: IntArray
     pair_dihedral: FloatArray
 
@@ -51,6 +53,7 @@ class FacetGraph:
             neighbour.reshape(m, 3),
             dihedral.reshape(m, 3),
             mesh.facet_pairs,
+            mesh.half_edge_pairs,
             mesh.pair_edges,
             angle,
         )
@@ -71,8 +74,7 @@ class FacetGraph:
     def sides(self, edges: IntArray) -> BoolArray:
         """(m, 3) the sides of facets that are some (k,) edges, numbered as ``pairs``."""
         out = np.zeros(self.neighbour.shape, dtype=bool)
-        for facet, other in (self.pairs[edges].T, self.pairs[edges].T[::-1]):
-            out[facet, np.argmax(self.neighbour[facet] == other[:, None], axis=1)] = True
+        out.reshape(-1)[self.pair_sides[edges]] = True
         return out
 
 
