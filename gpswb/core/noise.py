@@ -90,8 +90,8 @@ def _has_exact_patches(mesh: Mesh) -> bool:
     passable = (graph.neighbour >= 0) & (np.abs(graph.dihedral) < BENT[1])
     patches = patches_around(mesh, graph, seeds, passable, 2)
     count = (patches.facets >= 0).sum(axis=1)
-    found, _ = explain(mesh, patches, count, 1e-7 * mesh.diagonal)
-    return len(found) >= EXACT * len(seeds)
+    found = explain(mesh, patches, count, 1e-7 * mesh.diagonal)
+    return len(found.hypotheses) >= EXACT * len(seeds)
 
 
 def _bent(mesh: Mesh) -> BoolArray:

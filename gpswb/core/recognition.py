@@ -118,24 +118,26 @@ def weigh(
         classes: the classes to try.
         refined: whether references are refined by position, which takes most of the time.
     """
-    references = {
-        name: refine_reference(sample.vertices, name, reference) if refined else reference
-        for name, reference in estimate_references(
-            sample.points, sample.normals, sample.weights, classes
-        ).items()
-    }
-    chosen = spread(len(sample.points), _SAMPLES)
-    points, normals, weights = (a[chosen] for a in (sample.points, sample.normals, sample.weights))
     on_surface = max(3.0 * sigma, tolerances.distance * sample.size)
     # A profile is known only through its chords: a tenth of their sagitta is left to it.
     on_profile = max(on_surface, 0.1 * sample.turning * sample.edge_length / 8.0)
+    references = estimate_references(sample.points, sample.normals, sample.weights, classes)
+    stand_off: dict[InvarianceClass, float] = {}
+    for name, reference in references.items():
+        if refined:
+            references[name], stand_off[name] = refine_reference(
+                sample.vertices, name, reference, on_profile
+            )
+        else:
+            stand_off[name] = thickness(sample.vertices, name, reference)
+    chosen = spread(len(sample.points), _SAMPLES)
+    points, normals, weights = (a[chosen] for a in (sample.points, sample.normals, sample.weights))
     noise = (2.0 * sigma / sample.edge_length) ** 2 if sample.edge_length > 0.0 else 0.0
     # Points fill a lead of a screw at random when it is none: its profile must be far thinner.
     allowed = dict.fromkeys(PARSIMONY, on_surface)
     allowed["prismatic"] = allowed["revolute"] = on_profile
     if "helical" in references:
         allowed["helical"] = min(on_profile, 0.01 * abs(references["helical"].lead))
-    stand_off = {n: thickness(sample.vertices, n, r) for n, r in references.items()}
     helical = stand_off.get("helical", np.inf) <= allowed["helical"]
     for rank, name in enumerate(PARSIMONY):
         weaker = [

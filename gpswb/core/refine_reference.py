@@ -17,7 +17,13 @@ from gpswb.core.mesh import FloatArray
 from gpswb.core.motion_chart import MotionChart
 from gpswb.core.quotient import quotient_coordinates
 from gpswb.core.reference import Reference, spread
-from gpswb.core.thickness import near_profile, profile_offsets, quotient_jacobian, thickness
+from gpswb.core.thickness import (
+    CONSISTENT,
+    near_profile,
+    profile_offsets,
+    quotient_jacobian,
+    thickness,
+)
 
 _LEAST = 12  # points below which nothing is refined
 _LOCAL = 6  # steps on local profiles: they stall at their own interpolation error
@@ -27,33 +33,47 @@ _DEGREE = 6  # of the polynomial: strips of threads and blades need five or six
 _GRAPH = 10.0  # how many times its thickness a profile may stand off a polynomial that follows it
 _STALLED = 0.9  # share of the cost that a step must leave less than, or it is the last but three
 _PATIENCE = 3
+_HOPELESS = 0.5  # the same share where even the best linear step ends far above what is allowed
+_ABOVE = 10.0  # how many times what is allowed is far above
 _FAR = 1e6  # region sizes: an axis, or a lead, beyond that is none
 
 
 def refine_reference(
-    points: FloatArray, invariance_class: InvarianceClass, reference: Reference
-) -> Reference:
-    """The reference of a class moved so that the projected points get thinner.
+    points: FloatArray,
+    invariance_class: InvarianceClass,
+    reference: Reference,
+    allowed: float = 0.0,
+) -> tuple[Reference, float]:
+    """The reference of a class moved so that the projected points get thinner, and `thickness`.
 
     Args:
         points: (n, 3) mm.
         invariance_class: only prismatic, revolute and helical are refined: the other references
             are fitted by position already.
         reference: where to start; it is given back where it can't be improved.
+        allowed: mm, the stand-off that counts as on the surface: where it can't be reached, the
+            search ends early.
     """
-    if invariance_class not in ("prismatic", "revolute", "helical") or len(points) < _LEAST:
-        return reference
-    if not np.isfinite(reference.lead) or (invariance_class == "helical" and reference.lead == 0):
-        return reference
-    best = _descend(points, invariance_class, reference, _LOCAL, local=True)
+    if (
+        invariance_class not in ("prismatic", "revolute", "helical")
+        or len(points) < _LEAST
+        or not np.isfinite(reference.lead)
+        or (invariance_class == "helical" and reference.lead == 0)
+    ):
+        return reference, thickness(points, invariance_class, reference)
+    best, cost = _descend(points, invariance_class, reference, _LOCAL, allowed, local=True)
+    if np.isfinite(cost):
+        thin = float(np.sqrt(cost)) / CONSISTENT
+    else:
+        thin = thickness(points, invariance_class, best)
     few = points[spread(len(points), _SAMPLES)]
-    thin = thickness(points, invariance_class, best)
     off, _ = _polynomial_offsets(quotient_coordinates(few, invariance_class, best), None)
     if float(np.sqrt(np.mean(off**2))) <= _GRAPH * thin:
-        trial = _descend(few, invariance_class, best, _GLOBAL, local=False)
-        if thickness(points, invariance_class, trial) < thin:
-            best = trial
-    return best
+        trial, _ = _descend(few, invariance_class, best, _GLOBAL, allowed, local=False)
+        thinner = thickness(points, invariance_class, trial)
+        if thinner < thin:
+            return trial, thinner
+    return best, thin
 
 
 def _descend(
@@ -61,12 +81,14 @@ def _descend(
     invariance_class: InvarianceClass,
     reference: Reference,
     iterations: int,
+    allowed: float,
     local: bool,
-) -> Reference:
+) -> tuple[Reference, float]:
+    """The reference that is reached, and its cost, mm²; infinite where there was nothing to try."""
     centre = points.mean(axis=0)
     size = max(float(np.sqrt(((points - centre) ** 2).sum(axis=1).mean())), 1e-300)
     if not _has_orbits(reference, invariance_class, centre, size):
-        return reference
+        return reference, np.inf
     damping, idle = 1e-3, 0
     offset, change = _offsets(points, invariance_class, reference, local)
     cost = _cost(offset)
@@ -90,12 +112,17 @@ def _descend(
             damping *= 20.0
         if not usable:
             break
-        idle = idle + 1 if _cost(offset_new) > _STALLED * cost else 0
+        gained = _cost(offset_new) / max(cost, 1e-300)
+        # What the derivatives say is the least that could be reached.
+        least = cost - float(g @ np.linalg.lstsq(h, g, rcond=1e-12)[0]) / len(offset)
+        if gained > _HOPELESS and least > (_ABOVE * allowed) ** 2 > 0.0:
+            return trial, _cost(offset_new)
+        idle = idle + 1 if gained > _STALLED else 0
         reference, offset, change, cost = trial, offset_new, change_new, _cost(offset_new)
         damping *= 0.05
         if idle == _PATIENCE:
             break
-    return reference
+    return reference, cost
 
 
 def _has_orbits(

@@ -14,7 +14,8 @@ from gpswb.core.reference import Reference, axis_frame, spread
 _SAMPLES = 400
 _NEIGHBOURS = 12
 _KEPT = 0.95
-_CONSISTENT = 0.8711  # RMS of a standard normal deviate without its outermost 5 %
+CONSISTENT = 0.8711
+"""RMS of a standard normal deviate without its outermost 5 %."""
 
 
 def thickness(points: FloatArray, invariance_class: InvarianceClass, reference: Reference) -> float:
@@ -37,7 +38,7 @@ def thickness(points: FloatArray, invariance_class: InvarianceClass, reference: 
     offset, _ = profile_offsets(quotient, None)
     if not len(offset):
         return 0.0
-    return float(np.sqrt(np.mean(offset[near_profile(offset)] ** 2))) / _CONSISTENT
+    return float(np.sqrt(np.mean(offset[near_profile(offset)] ** 2))) / CONSISTENT
 
 
 def near_profile(offset: FloatArray) -> IntArray:
@@ -77,7 +78,9 @@ def profile_offsets(
     # The ridge keeps coincident neighbours (rings of a structured mesh) solvable: their mean
     # counts.
     gram = np.swapaxes(design, 1, 2) @ design + 1e-6 * k * np.diag([0.0, 1.0, 1.0])
-    weight = np.linalg.solve(gram, np.swapaxes(design, 1, 2))[:, 0]
+    # The value at the sample itself: the first row of the inverse, which is its first column.
+    first = np.linalg.solve(gram, np.broadcast_to([[1.0], [0.0], [0.0]], (len(gram), 3, 1)))
+    weight = (design @ first)[..., 0]
     across = np.einsum("ska,sa->sk", relative, normal)
     offset: FloatArray = -np.einsum("sk,sk->s", weight, across)[inner]
     if jacobian is None:

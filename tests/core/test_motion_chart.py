@@ -64,7 +64,7 @@ def test_a_short_strip_far_from_its_axis_gives_the_axis(name: InvarianceClass) -
     points = np.column_stack([rho * np.cos(t), rho * np.sin(t), z + lead * t / (2.0 * np.pi)])
     axis = np.array([0.01, -0.014, 1.0])
     start = Reference(np.array([0.3, -0.2, 0.0]), axis / np.linalg.norm(axis), 1.03 * lead)
-    found = refine_reference(points, name, start)
+    found, _ = refine_reference(points, name, start)
     assert thickness(points, name, found) < 5e-3 * thickness(points, name, start)
     assert abs(found.direction[2]) == pytest.approx(1.0, abs=1e-6)
     if name == "helical":

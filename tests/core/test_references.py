@@ -186,7 +186,7 @@ def test_positions_refine_a_reference_that_normals_missed(name: str) -> None:
         exact.lead * 1.002,
     )
     start = Reference(start.point, start.direction / np.linalg.norm(start.direction), start.lead)
-    better = refine_reference(p, name, start)
+    better, _ = refine_reference(p, name, start)
     before, _ = off_axis(start, np.zeros(3), Z)
     after, distance = off_axis(better, np.zeros(3), Z)
     assert before > 1e-3
@@ -201,7 +201,7 @@ def test_positions_refine_a_reference_that_normals_missed(name: str) -> None:
 def test_refinement_leaves_alone_what_it_can_not_improve() -> None:
     p, n = samples("revolute", 500)
     references = estimate_references(p, n)
-    assert refine_reference(p, "planar", references["planar"]) is references["planar"]
+    assert refine_reference(p, "planar", references["planar"])[0] is references["planar"]
     translation = Reference(np.zeros(3), Z, np.inf)
-    assert refine_reference(p, "helical", translation) is translation
-    assert refine_reference(p[:8], "revolute", references["revolute"]) is references["revolute"]
+    assert refine_reference(p, "helical", translation)[0] is translation
+    assert refine_reference(p[:8], "revolute", references["revolute"])[0] is references["revolute"]

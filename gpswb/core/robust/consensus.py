@@ -127,10 +127,10 @@ def _descend(
             if not len(batch):
                 continue
             tried[batch] = True
-            hypotheses, freeform, left[batch] = explain(mesh, patches, size[batch], tolerance)
-            hypotheses.sort(key=lambda h: -h.score)
-            found += _grow_all(mesh, graph, hypotheses, free, tolerance)
-            _note_freeform(part, batch, freeform, doubt, smooth)
+            said = explain(mesh, patches, size[batch], tolerance)
+            left[batch] = said.residual
+            found += _grow_all(mesh, graph, said.hypotheses, free, tolerance)
+            _note_freeform(part, batch, said.freeform, doubt, smooth)
             if start >= MOST and len(found) == known:
                 break
         least = LEAST if exact else FEW
@@ -169,7 +169,7 @@ def _grow_all(
     """The regions of hypotheses that prove their surface; they are no longer free afterwards."""
     found: list[Grown] = []
     vain = 0
-    for h in hypotheses:
+    for h in sorted(hypotheses, key=lambda h: -h.score):
         if not free[h.seed]:
             continue
         grown = proved(mesh, graph, h, free, tolerance)
@@ -215,9 +215,8 @@ def _around_seeds(
                 continue
             patches = patches_around(mesh, graph, batch, passable, rings)
             count = (patches.facets >= 0).sum(axis=1)
-            hypotheses, _, _ = explain(mesh, patches, count, tolerance)
-            hypotheses.sort(key=lambda h: -h.score)
-            found += _grow_all(mesh, graph, hypotheses, free, tolerance)
+            said = explain(mesh, patches, count, tolerance)
+            found += _grow_all(mesh, graph, said.hypotheses, free, tolerance)
     return found
 
 

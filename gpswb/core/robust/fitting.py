@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from gpswb.core.mesh import FloatArray, IntArray
+from gpswb.core.mesh import FloatArray
 from gpswb.core.robust.first_guess import cylinder_guess, guess, torus_starts
 from gpswb.core.robust.surfaces import Kind, distance, distance_jacobian
 from gpswb.core.robust.torus_chart import TorusChart
@@ -88,8 +88,8 @@ def fit_patches(
             np.concatenate(starts),
             points[again],
             weights[again],
-            _at(robust_floor, again),
-            _at(enough, again),
+            None if robust_floor is None else np.broadcast_to(robust_floor, b)[again],
+            None if enough is None else enough[again],
             ROUGH,
         )
         off = np.abs(distance(kind, rough, points[again])[0])
@@ -97,10 +97,6 @@ def fit_patches(
         best = np.argmin(error.reshape(k, b), axis=0)
         start = rough.reshape(k, b, 8)[best, np.arange(b)]
     return fit(kind, start, points, weights, robust_floor, enough)
-
-
-def _at(values: FloatArray | float | None, rows: IntArray) -> FloatArray | float | None:
-    return values[rows] if isinstance(values, np.ndarray) else values
 
 
 def fit(
@@ -139,14 +135,15 @@ def fit(
     idle = np.zeros(b, dtype=np.int64)
     live = np.arange(b)
     p, weight = points, weights
-    hopeless = STALLED if enough is None or robust_floor is not None else HOPELESS
+    floor = None if robust_floor is None else np.broadcast_to(robust_floor, b)
+    hopeless = HOPELESS if enough is not None and floor is None else STALLED
     d, rows = _distance_rows(kind, surface, p)
     for step in range(iterations):
-        if robust_floor is not None:
+        if floor is not None:
             median = _weighted_median(np.abs(d), weight)
             falling = np.minimum(2.0 * median, scale[live] * 0.7)
-            scale[live] = np.maximum(falling, _at(robust_floor, live))
-        now = None if robust_floor is None else scale[live]
+            scale[live] = np.maximum(falling, floor[live])
+        now = None if floor is None else scale[live]
         w = weight if now is None else weight * _influence(d, now)
         cost = _cost(d, weight, now)
         chart = TorusChart.at(surface[live], middle[live]) if kind == "torus" else None
@@ -179,7 +176,7 @@ def fit(
             better, np.where(cost_new < least * cost, 0, idle[live] + 1), idle[live]
         )
         moving &= idle[live] < PATIENCE
-        if robust_floor is not None and step < FIRST:
+        if floor is not None and step < FIRST:
             moving[:] = True
         if not moving.any():
             break

@@ -46,9 +46,22 @@ class Hypothesis:
     score: float
 
 
-def explain(
-    mesh: Mesh, patches: Patches, size: IntArray, tolerance: float
-) -> tuple[list[Hypothesis], FloatArray, FloatArray]:
+@dataclass(frozen=True, eq=False)
+class Explained:
+    """What was found of b patches.
+
+    Args:
+        hypotheses: the surfaces that explain some of them.
+        freeform: (b,) mm, what the best torus leaves of those that look freeform, 0 for the others.
+        residual: (b,) mm, what the nearest surface of any kind leaves of each.
+    """
+
+    hypotheses: list[Hypothesis]
+    freeform: FloatArray
+    residual: FloatArray
+
+
+def explain(mesh: Mesh, patches: Patches, size: IntArray, tolerance: float) -> Explained:
     """The simplest surface that explains each patch, where one does.
 
     Plain least squares first; where a patch crosses a border, a robust fit may still find the
@@ -59,10 +72,6 @@ def explain(
         patches: b patches.
         size: (b,) facets of the part that each patch is a sample of.
         tolerance: distance that counts as none, mm.
-
-    Returns:
-        The hypotheses; (b,) mm: what the best torus leaves of the patches that look freeform, 0 for
-        the others; and (b,) mm: what the nearest surface of any kind leaves of each.
     """
     hypotheses: list[Hypothesis] = []
     freeform = np.zeros(len(patches.centre))
@@ -117,7 +126,7 @@ def explain(
             freeform[left[good]] = 0.0
             left = left[~good]
         left = left[patches.weights[left].sum(axis=1) >= ROBUST_LEAST]
-    return hypotheses, freeform, residual
+    return Explained(hypotheses, freeform, residual)
 
 
 def _seed(

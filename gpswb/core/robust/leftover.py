@@ -73,7 +73,9 @@ def label_leftover(
     # What is seen to be one face isn't a swept one and something else, nor symmetric pieces.
     open_ &= ~unbroken_parts(mesh, graph, part, joined, open_)
     broken = np.append(open_, False)[part]
-    cut = _swept_apart(mesh, graph, first, part, broken, joined, sigma, tolerances)
+    cut = part
+    if broken.any():
+        cut = _swept_apart(mesh, graph, first, part, broken, joined, sigma, tolerances)
     if (cut != part).any():
         part = cut
         names = classes_of(mesh, part, first.crease, sigma, tolerances)
