@@ -13,7 +13,7 @@ import numpy as np
 
 from gpswb.core.mesh import BoolArray, FloatArray, IntArray, Mesh
 from gpswb.core.robust.growth import Grown
-from gpswb.core.robust.hypotheses import FEW, Hypothesis, bend_of, explain
+from gpswb.core.robust.hypotheses import FEW, FREEFORM, Hypothesis, bend_of, explain
 from gpswb.core.robust.parts import connected_parts, halves, spread_over
 from gpswb.core.robust.patches import patches_around, patches_of
 from gpswb.core.robust.proof import LEAST, SAMPLE, proved
@@ -117,12 +117,13 @@ def _descend(
         if not len(order):
             return found
         tried = np.zeros(len(size), dtype=bool)
-        left = np.zeros(len(size))
+        left, bend = np.zeros(len(size)), np.zeros(len(size))
         for start in range(0, len(order), BATCH):
             batch = order[start : start + BATCH]
             known = len(found)
             patches = patches_of(mesh, facets[batch])
-            bent = np.flatnonzero(bend_of(patches) * patches.scale > LEAST_BEND * tolerance)
+            bend[batch] = bend_of(patches) * patches.scale
+            bent = np.flatnonzero(bend[batch] > LEAST_BEND * tolerance)
             batch, patches = batch[bent], patches.take(bent)
             if not len(batch):
                 continue
@@ -135,10 +136,11 @@ def _descend(
                 break
         least = LEAST if exact else FEW
         part = np.where(free, part, -1)
-        whole = unbroken_parts(mesh, graph, part, flat, tried & (left > ALIKE * tolerance))
-        # What is of one face, and isn't on any surface, has no part that is.
+        far = left > np.maximum(ALIKE * tolerance, FREEFORM * bend)
+        whole = unbroken_parts(mesh, graph, part, flat, tried & far)
+        # What is of one face, and isn't near any surface, has no part that is on one.
         inside = np.append(whole, False)[part]
-        smooth[inside] = np.append(left, 0.0)[part[inside]]
+        smooth[inside] = np.append(left, 0.0)[part[inside]] / ALIKE
         worth = np.append(tried & (size > least) & ~whole, False)
         group = halves(graph, np.where(worth[part], part, -1), flat)
 

@@ -39,7 +39,7 @@ BLOCK = 1024
 
 
 def curvature_jumps(
-    mesh: Mesh, graph: FacetGraph, edges: IntArray, joined: BoolArray
+    mesh: Mesh, graph: FacetGraph, edges: IntArray, joined: BoolArray, border: float = BORDER
 ) -> tuple[FloatArray, BoolArray]:
     """Relative jump of the normal curvature across edges.
 
@@ -52,21 +52,22 @@ def curvature_jumps(
         graph: its adjacency.
         edges: (k,) numbers of interior edges, as in ``graph.pairs``.
         joined: (e,) pairs of facets that hang together: neighbourhoods don't cross other edges.
+        border: least jump that is one.
 
     Returns:
         (k,) the jump, less what the fit leaves open, over the largest curvature on either side,
-        and (k,) whether it is seen to be none: less than ``BORDER`` by a standard error.
+        and (k,) whether it is seen to be none: less than ``border`` by a standard error.
     """
     passable = graph.sides(np.flatnonzero(joined))
     jump, none = np.zeros(len(edges)), np.zeros(len(edges), dtype=bool)
     for start in range(0, len(edges), BLOCK):
         some = slice(start, start + BLOCK)
-        jump[some], none[some] = _jumps(mesh, graph, edges[some], passable)
+        jump[some], none[some] = _jumps(mesh, graph, edges[some], passable, border)
     return jump, none
 
 
 def _jumps(
-    mesh: Mesh, graph: FacetGraph, edges: IntArray, passable: BoolArray
+    mesh: Mesh, graph: FacetGraph, edges: IntArray, passable: BoolArray, border: float
 ) -> tuple[FloatArray, BoolArray]:
     facets = rings_of(graph, graph.pairs[edges], passable, RINGS)
     vertices = vertices_of_rows(mesh, facets)
@@ -103,7 +104,7 @@ def _jumps(
     curvature = np.maximum(curvature, FLATTEST / mesh.diagonal)
     enough = count >= unknowns + SPARE
     least = np.where(enough, np.maximum(jump - SURE * open_, 0.0) / curvature, 0.0)
-    return least, enough & (jump + open_ < BORDER * curvature)
+    return least, enough & (jump + open_ < border * curvature)
 
 
 def _largest(a: FloatArray, b: FloatArray, c: FloatArray) -> FloatArray:

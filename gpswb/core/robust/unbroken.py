@@ -18,7 +18,7 @@ HITS = 8.0
 FAINT = 0.1
 """Jump that is one: surfaces that join smoothly differ by more."""
 
-CLEAR = 0.6
+CLEAR = 0.9
 """Share of the edges at which there must be seen to be no jump: where the mesh is too coarse to
 tell, nothing is said of the part."""
 
@@ -52,7 +52,7 @@ def unbroken_parts(
     slot = np.arange(len(owner)) - np.repeat(np.cumsum(taken) - taken, taken)
     start = np.cumsum(count) - count
     chosen = edges[start[owner] + slot * count[owner] // taken[owner]]
-    jump, none = curvature_jumps(mesh, graph, chosen, within)
+    jump, none = curvature_jumps(mesh, graph, chosen, within, FAINT)
     broken = np.bincount(owner, jump > FAINT, minlength=len(asked)) > 0
     clear = np.bincount(owner, none, minlength=len(asked))
     out[:] = asked & ~broken & (clear >= CLEAR * np.maximum(taken, 1))
