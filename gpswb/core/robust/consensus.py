@@ -140,7 +140,7 @@ def _descend(
         whole = unbroken_parts(mesh, graph, part, flat, tried & far)
         # What is of one face, and isn't near any surface, has no part that is on one.
         inside = np.append(whole, False)[part]
-        smooth[inside] = np.append(left, 0.0)[part[inside]] / ALIKE
+        smooth[inside] = np.append(left, 0.0)[part[inside]]
         worth = np.append(tried & (size > least) & ~whole, False)
         group = halves(graph, np.where(worth[part], part, -1), flat)
 
