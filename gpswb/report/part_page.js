@@ -102,7 +102,7 @@ function ranking(region, why) {
       if (row.name === region.class) cell.append(make("b", "  ← recognised"));
       return cell;
     }],
-    ["log L", (row) => (row.value === null ? "not evaluated" : row.value.toExponential(4)), true],
+    ["log L", (row) => (row.value === null ? "not evaluated" : row.value.toFixed(1)), true],
     ["below the best", (row) => (row.value === null ? "" : number(best - row.value, 4)), true],
     ["", (row) => {
       const share = row.value === null ? 0 : best === worst ? 1 : 0.04 + 0.96 * (row.value - worst) / (best - worst);

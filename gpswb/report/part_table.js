@@ -22,7 +22,7 @@ const percent = (x) => (x === null || x === undefined ? "–" : x >= 1 ? "100 %"
 
 function list(xs) { // rounding errors beside large components are shown as 0
   const most = Math.max(...xs.map(Math.abs));
-  return `(${xs.map((x) => (Math.abs(x) < 1e-9 * most ? "0" : number(x, 5))).join(", ")})`;
+  return `(${xs.map((x) => (Math.abs(x) < Math.max(1e-9 * most, 1e-7) ? "0" : number(x, 5))).join(", ")})`;
 }
 
 function swatched(name, colour) {
