@@ -164,6 +164,7 @@ def test_specifications(block, partition, full_width):
                     for value in ("0.1", "silly", "-1"):
                         panel.value.setText(value)
                         panel.upper.setText(value)
+                        assert "&" not in panel.message.text()  # no HTML where none is shown
                         left += [text for label in (panel.reason, panel.message)
                                  if (text := english(label.text()))]  # fmt: skip
                 left += left_in(panel.form)

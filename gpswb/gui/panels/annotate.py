@@ -16,7 +16,7 @@ from gpswb.gps.specified import specify
 from gpswb.gui import compat
 from gpswb.gui.annotation import annotation_of
 from gpswb.gui.annotation_record import SpecificationRecord
-from gpswb.gui.compat import QtGui, QtWidgets, say, translate
+from gpswb.gui.compat import QtCore, QtGui, QtWidgets, say, translate
 from gpswb.gui.frame_picture import frame_picture
 from gpswb.gui.icons import icon
 from gpswb.gui.objects.annotation import record_of
@@ -168,6 +168,7 @@ class AnnotatePanel:
         self.preview.setMinimumHeight(34)
         self.message = QtWidgets.QLabel()
         self.message.setWordWrap(True)
+        self.message.setTextFormat(QtCore.Qt.PlainText)  # it may quote what the user has typed
         new = self.obj is None
         self.button = QtWidgets.QPushButton(
             translate("GPS", "Add") if new else translate("GPS", "Change")
@@ -233,14 +234,14 @@ class AnnotatePanel:
             wanted = specification_row(translate("GPS", "Specification"), choice)
             (said,) = specify([wanted], self.annotation.table, self.annotation.letters)
         except GpswbError as error:
-            self.message.setText(escape(say(str(error))))
+            self.message.setText(say(str(error)))
             return
         picture = frame_picture(said.cells, self.form.devicePixelRatioF())
         pixmap = QtGui.QPixmap.fromImage(picture)
         pixmap.setDevicePixelRatio(self.form.devicePixelRatioF())
         self.preview.setPixmap(pixmap)
         remark = getattr(said, "remark", "")
-        self.message.setText(escape(say(remark)))
+        self.message.setText(say(remark))
         self.button.setEnabled(not remark)
 
 

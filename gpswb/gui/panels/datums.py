@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-from html import escape
 from typing import Any
 
 import FreeCADGui
@@ -12,7 +11,7 @@ from gpswb.errors import GpswbError
 from gpswb.gps.annotation import Annotation, annotate
 from gpswb.gps.explain import explain_feature, explain_lock, explain_whole
 from gpswb.gui import compat
-from gpswb.gui.compat import QtGui, QtWidgets, say, translate
+from gpswb.gui.compat import QtCore, QtGui, QtWidgets, say, translate
 from gpswb.gui.datums import datums_of, set_datums, suggested_datums
 from gpswb.gui.icons import icon
 from gpswb.gui.one_step import one_step
@@ -68,6 +67,7 @@ class DatumsPanel:
     def reject(self) -> bool:
         """Close; nothing changes."""
         self.stop()
+        FreeCADGui.Selection.clearSelection()  # the faces of a letter are selected, not the user's
         close_panel()
         return True
 
@@ -149,6 +149,7 @@ class DatumsPanel:
         layout.addLayout(buttons)
         self.text = QtWidgets.QLabel()
         self.text.setWordWrap(True)
+        self.text.setTextFormat(QtCore.Qt.PlainText)  # it may quote what the user has typed
         layout.addWidget(self.text)
         layout.addStretch()
 
@@ -170,7 +171,7 @@ class DatumsPanel:
             stored, _ = effective_result(self.partition)
             found = annotate(features_of(stored), choices, notation=self.notation.text().strip())
         except GpswbError as error:
-            self.text.setText(escape(say(str(error))))
+            self.text.setText(say(str(error)))
             return
         assert found.system is not None
         locks = {
@@ -183,6 +184,4 @@ class DatumsPanel:
             if letter in locks:
                 lines.append(say(explain_lock(locks[letter])))
             self.texts[letter].setText("\n".join(lines))
-        self.text.setText(
-            escape(say(explain_whole(found.system, found.needed))).replace("\n", "<br>")
-        )
+        self.text.setText(say(explain_whole(found.system, found.needed)))

@@ -26,6 +26,11 @@ _VALUES = (
 )
 
 
+_VALUE_WIDTH = 80
+"""Pixels: room for the usual values. Left to itself it has room for the largest, and the panel is
+wider than FreeCAD's task view."""
+
+
 def let_shrink(box: Any) -> None:
     """Let a list be narrower than its longest entry: FreeCAD's task view may be narrow."""
     box.setSizeAdjustPolicy(QtWidgets.QComboBox.AdjustToMinimumContentsLengthWithIcon)
@@ -42,6 +47,7 @@ class DensityWidget(QtWidgets.QWidget):
         self.kind = QtWidgets.QComboBox()
         self.value = QtWidgets.QDoubleSpinBox()
         self.value.setKeyboardTracking(False)
+        self.value.setMinimumWidth(_VALUE_WIDTH)
         let_shrink(self.kind)
         for rule, text in _PRESETS:
             self.kind.addItem(translate(_CONTEXT, text), rule)

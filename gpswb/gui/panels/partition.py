@@ -133,6 +133,7 @@ class PartitionPanel:
         self.mode.setCurrentIndex(self.mode.findData(mode))
         self.count = QtWidgets.QLabel()
         self.count.setWordWrap(True)
+        self.count.setTextFormat(QtCore.Qt.PlainText)
         self.bar = QtWidgets.QProgressBar()
         self.bar.setRange(0, 100)
         self.message = QtWidgets.QLabel()

@@ -39,6 +39,7 @@ class QueryPanel:
         self.form.setWindowIcon(QtGui.QIcon(icon("GPS_Query")))
         self.text = QtWidgets.QLabel()
         self.text.setWordWrap(True)
+        self.text.setTextFormat(compat.QtCore.Qt.RichText)
         self.text.setTextInteractionFlags(compat.QtCore.Qt.TextSelectableByMouse)
         self.merge = QtWidgets.QPushButton(translate("GPS", "Merge regions"))
         self.split = QtWidgets.QPushButton(translate("GPS", "Split into faces"))

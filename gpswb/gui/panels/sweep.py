@@ -10,7 +10,7 @@ from typing import Any
 
 from gpswb.errors import GpswbError, InputError
 from gpswb.gui import compat
-from gpswb.gui.compat import QT_TRANSLATE_NOOP, QtGui, QtWidgets, say, translate
+from gpswb.gui.compat import QT_TRANSLATE_NOOP, QtCore, QtGui, QtWidgets, say, translate
 from gpswb.gui.icons import icon
 from gpswb.gui.objects.partition import check_density
 from gpswb.gui.panels.show import close_panel
@@ -57,10 +57,12 @@ class SweepPanel:
         self.bar.hide()
         self.message = QtWidgets.QLabel()
         self.message.setWordWrap(True)
+        self.message.setTextFormat(QtCore.Qt.PlainText)
         self.table = QtWidgets.QTableWidget(0, len(_COLUMNS))
         self.table.setHorizontalHeaderLabels([translate("GPS", x) for x in _COLUMNS.values()])
         self.table.setEditTriggers(QtWidgets.QAbstractItemView.NoEditTriggers)
         self.table.verticalHeader().hide()
+        self.table.resizeColumnsToContents()
         layout = QtWidgets.QVBoxLayout(self.form)
         for widget in (self.densities, self.start, self.bar, self.message, self.table, self.save):
             layout.addWidget(widget)
