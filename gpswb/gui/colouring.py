@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from typing import Literal, get_args
 
 import numpy as np
+from scipy.sparse import csr_matrix
 
 from gpswb.core.invariance import CLASSES, InvarianceClass
 from gpswb.core.mesh import FloatArray, IntArray
@@ -136,14 +137,10 @@ def _majority(stored: StoredResult, label: IntArray, count: int) -> IntArray:
     facemap, area = stored.solid.facemap, stored.solid.mesh.areas
     assert facemap is not None
     use = (facemap.face_of_triangle >= 0) & (label >= 0)
-    key = facemap.face_of_triangle[use] * max(count, 1) + label[use]
-    pairs, inverse = np.unique(key, return_inverse=True)
-    weight = np.bincount(inverse.ravel(), area[use], minlength=len(pairs))
-    face, value = np.divmod(pairs, max(count, 1))
-    found = np.full(len(facemap.faces), -1, dtype=np.int64)
-    order = np.argsort(weight, kind="stable")
-    found[face[order]] = value[order]  # the heaviest is written last
-    return found
+    entries = (area[use], (facemap.face_of_triangle[use], label[use]))
+    weight = csr_matrix(entries, shape=(len(facemap.faces), max(count, 1)))
+    heaviest = np.asarray(weight.argmax(axis=1)).ravel()
+    return np.where(np.diff(weight.indptr) > 0, heaviest, -1)
 
 
 def _agreement(stored: StoredResult) -> IntArray:

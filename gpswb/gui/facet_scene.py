@@ -11,6 +11,7 @@ from pivy import coin
 
 from gpswb.core.mesh import BoolArray, IntArray, Mesh
 from gpswb.gui import compat
+from gpswb.gui.aside import aside
 from gpswb.gui.colouring import Colouring
 
 CHUNK = 50_000
@@ -57,6 +58,7 @@ class FacetScene:
 
     def fill(self) -> Iterator[None]:
         """Add what is to be seen, in slices: iterate to the end."""
+        borders = yield from aside(lambda: _borders(self._mesh, self._region))
         vertices = self._mesh.vertices.astype(np.float32)
         self._points.point.setNum(len(vertices))
         for first in range(0, len(vertices), CHUNK):
@@ -78,7 +80,9 @@ class FacetScene:
                 alone.addChild(_edges(faces))
             self._filled.addChild(alone)
             yield
-        self.root.addChild(_borders(self._mesh, self._region))
+        lines = coin.SoIndexedLineSet()
+        lines.coordIndex.setValues(0, len(borders), borders)
+        self.root.addChild(_dark(lines, 2.0))
 
     def highlight(self, marked: BoolArray) -> None:
         """Give the facets where (m,) ``marked`` is true the colour of what is selected."""
@@ -108,15 +112,14 @@ def _edges(faces: Any) -> Any:
     return _dark(edges, 1.0)
 
 
-def _borders(mesh: Mesh, region: IntArray) -> Any:
-    """The edges between regions."""
+def _borders(mesh: Mesh, region: IntArray) -> list[int]:
+    """The edges between regions, as indices of a line set."""
     one, other = region[mesh.facet_pairs].T
     ends = mesh.pair_edges[one != other]
     lines = np.full((len(ends), 3), -1)
     lines[:, :2] = ends
-    borders = coin.SoIndexedLineSet()
-    borders.coordIndex.setValues(0, lines.size, lines.ravel().tolist())
-    return _dark(borders, 2.0)
+    found: list[int] = lines.ravel().tolist()
+    return found
 
 
 def _dark(shape: Any, width: float) -> Any:

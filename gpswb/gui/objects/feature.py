@@ -10,9 +10,10 @@ from typing import Any
 
 import numpy as np
 
-from gpswb.core.mesh import FloatArray
+from gpswb.core.mesh import IntArray
 from gpswb.core.partition import Region
 from gpswb.gui import compat, preferences
+from gpswb.gui.aside import aside
 from gpswb.gui.objects.situation_shape import situation_shape
 from gpswb.gui.objects.stateless import Stateless
 from gpswb.io.stored_result import StoredResult
@@ -75,6 +76,8 @@ def sync_features(partition: Any, stored: StoredResult) -> Iterator[None]:
     on_region, _ = faces_and_bodies(stored.faces)
     regions = [(i, r) for i, r in enumerate(stored.partition.regions) if r.id in on_region]
     with_faces = bool(stored.document["faces"])
+    facets = yield from aside(lambda: _facets_by_region(stored))
+    mesh = stored.solid.mesh
     old = features(partition)
     count: Counter[str] = Counter()
     made: list[Any] = []
@@ -83,7 +86,8 @@ def sync_features(partition: Any, stored: StoredResult) -> Iterator[None]:
         count[region.surface] += 1
         _fill(obj, region)
         obj.Faces = [(partition.Source, tuple(on_region[region.id]))] if with_faces else []
-        obj.Shape = situation_shape(region, _vertices(stored, place))
+        used = np.unique(mesh.triangles[facets[place]])
+        obj.Shape = situation_shape(region, mesh.vertices[used])
         word = compat.translate("GPS", region.surface).capitalize()
         obj.Label = f"{word} {count[region.surface]}{_size(region)}"
         obj.purgeTouched()
@@ -125,12 +129,12 @@ def animate(obj: Any) -> None:
         FeatureView(obj.ViewObject)
 
 
-def _vertices(stored: StoredResult, place: int) -> FloatArray:
-    """(n, 3) vertices of the mesh in a region, by its place among the regions."""
-    facets = stored.partition.region == place
-    mesh = stored.solid.mesh
-    found: FloatArray = mesh.vertices[np.unique(mesh.triangles[facets])]
-    return found
+def _facets_by_region(stored: StoredResult) -> list[IntArray]:
+    """Facets of the mesh in each region, by its place among the regions."""
+    region = stored.partition.region
+    order = np.argsort(region, kind="stable")
+    ends = np.searchsorted(region[order], np.arange(len(stored.partition.regions) + 1))
+    return np.split(order, ends)[1:-1]
 
 
 def _fill(obj: Any, region: Region) -> None:

@@ -26,6 +26,7 @@ from gpswb.gui.panels.watch import Slices
 from gpswb.gui.partition_result import effective_result, stored_datums
 from gpswb.gui.selection import chosen_faces
 from gpswb.gui.source_colours import restore_colours, show_colours, watch
+from gpswb.io.stored_result import StoredResult
 
 FACES, FACETS = "Faces", "Facets"
 _PROPERTIES = (
@@ -171,12 +172,17 @@ def _colours_of(view: Any) -> Colouring | None:
         return None
     try:
         stored, _ = effective_result(obj)
-        return colouring(
-            stored, view.ColourBy, preferences.palette(), stored_datums(obj), obj.DatumSystem
-        )
+        asked = (view.ColourBy, preferences.palette(), stored_datums(obj), obj.DatumSystem)
+        if not (_last and _last[0][0] is stored and _last[0][1] == asked):
+            _last[:] = [(stored, asked, colouring(stored, *asked))]
+        return _last[0][2]
     except GpswbError as error:
         compat.warn(str(error))
         return None
+
+
+_last: list[tuple[StoredResult, Any, Colouring]] = []
+"""The colours that were asked for last: a view that shows the same elsewhere asks again."""
 
 
 def _add_properties(view: Any) -> None:

@@ -128,8 +128,10 @@ class Entities:
                 self._aspects[key] = self._aspect("SHAPE_ASPECT", feature.name, key)
             else:
                 parts = [self._aspect("SHAPE_ASPECT", feature.name, [face]) for face in key]
+                # What is one feature (UF; ASME's CF) is told from a group of several.
+                keyword = "CONTINUOUS" if feature.kind == "integral" else "COMPOSITE_GROUP"
                 whole = self.add(
-                    f"COMPOSITE_GROUP_SHAPE_ASPECT({encode(feature.name)},'multiple elements',"
+                    f"{keyword}_SHAPE_ASPECT({encode(feature.name)},'multiple elements',"
                     f"{self._product},.F.)"
                 )
                 for part in parts:
