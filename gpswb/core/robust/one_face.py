@@ -31,10 +31,11 @@ def join_faces(
     sigma: float,
     tolerances: Tolerances,
 ) -> IntArray:
-    """Join neighbours of one class that keep it together.
+    """Join neighbours that have one symmetry together.
 
     A face is found in pieces where none of them was known exactly. Between faces that join
-    smoothly curvature jumps; between the pieces of one it does not.
+    smoothly curvature jumps; between the pieces of one it does not. A piece may have a symmetry
+    that the face hasn't: a short stretch of a helical band lies on a torus.
 
     Args:
         mesh: the mesh.
@@ -77,8 +78,8 @@ def join_faces(
 
 
 class _OneClass:
-    """Likeness of regions: share of their border that is none, if their union has the class that
-    both have; else 0 (a ``MergeRule``)."""
+    """Likeness of regions: share of their border that is none, if their union has a symmetry as both
+    have, or none as both; else 0 (a ``MergeRule``)."""
 
     def __init__(
         self,
@@ -91,7 +92,8 @@ class _OneClass:
     ) -> None:
         self._ends, self._seen, self._length = ends, seen, length
         self._region, self._classes = region, classes
-        self._name, self._count = name, len(name)
+        self._name, self._count = list(name), len(name)
+        self._union: dict[tuple[int, int], InvarianceClass] = {}
 
     def score(self, first: IntArray, second: IntArray) -> FloatArray:
         return np.array(
@@ -103,9 +105,12 @@ class _OneClass:
         now[gone] = kept
         self._ends = now[self._ends]
         self._region = np.where(self._region >= 0, now[self._region], -1)
+        for a, b in zip(kept.tolist(), gone.tolist(), strict=True):
+            self._name[a] = self._union[min(a, b), max(a, b)]
 
     def _likeness(self, a: int, b: int) -> float:
-        if self._name[a] != self._name[b]:
+        complex_ = [self._name[r] == "complex" for r in (a, b)]
+        if any(complex_) and not all(complex_):
             return 0.0
         common = ((self._ends == a) | (self._ends == b)).all(axis=1)
         common &= self._ends[:, 0] != self._ends[:, 1]
@@ -113,4 +118,5 @@ class _OneClass:
         if share < SEEN:
             return 0.0
         trial = np.where((self._region == a) | (self._region == b), 0, -1)
-        return float(share) if self._classes(trial) == [self._name[a]] else 0.0
+        self._union[min(a, b), max(a, b)] = name = self._classes(trial)[0]
+        return float(share) if (name == "complex") == all(complex_) else 0.0
