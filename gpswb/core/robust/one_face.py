@@ -35,7 +35,8 @@ def join_faces(
 
     A face is found in pieces where none of them was known exactly. Between faces that join
     smoothly curvature jumps; between the pieces of one it does not. A piece may have a symmetry
-    that the face hasn't: a short stretch of a helical band lies on a torus.
+    that the face hasn't: a short stretch of a helical band lies on a torus. But what has one axis
+    has a symmetry together, whatever it is: a cylinder stays one beside a cone.
 
     Args:
         mesh: the mesh.
@@ -78,8 +79,8 @@ def join_faces(
 
 
 class _OneClass:
-    """Likeness of regions: share of their border that is none, if their union has a symmetry as both
-    have, or none as both; else 0 (a ``MergeRule``)."""
+    """Likeness of regions: share of their border that is none, if their union has the class of the
+    larger, or two of one class have another one together; else 0 (a ``MergeRule``)."""
 
     def __init__(
         self,
@@ -109,8 +110,8 @@ class _OneClass:
             self._name[a] = self._union[min(a, b), max(a, b)]
 
     def _likeness(self, a: int, b: int) -> float:
-        complex_ = [self._name[r] == "complex" for r in (a, b)]
-        if any(complex_) and not all(complex_):
+        one, other = self._name[a], self._name[b]
+        if (one == "complex") != (other == "complex"):
             return 0.0
         common = ((self._ends == a) | (self._ends == b)).all(axis=1)
         common &= self._ends[:, 0] != self._ends[:, 1]
@@ -119,4 +120,7 @@ class _OneClass:
             return 0.0
         trial = np.where((self._region == a) | (self._region == b), 0, -1)
         self._union[min(a, b), max(a, b)] = name = self._classes(trial)[0]
-        return float(share) if (name == "complex") == all(complex_) else 0.0
+        size = np.bincount(self._region[self._region >= 0], minlength=self._count)
+        larger = one if size[a] >= size[b] else other
+        kept = name == larger or (one == other and name != "complex")
+        return float(share) if kept else 0.0
