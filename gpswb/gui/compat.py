@@ -50,22 +50,24 @@ def main_window() -> Any:
 
 def show_error(text: str) -> None:
     """One line that the user can't miss; in the report view, too."""
-    text = say(text)
-    FreeCAD.Console.PrintError(f"GPS: {text}\n")
-    QtWidgets.QMessageBox.warning(main_window(), "GPS", text)
+    FreeCAD.Console.PrintError(f"GPS: {say(text)}\n")
+    _box(QtWidgets.QMessageBox.Warning, say(text)).exec_()
 
 
 def show_note(text: str) -> None:
     """What there is to know of something that was done, for the user to read or to pass over."""
-    text = say(text)
-    FreeCAD.Console.PrintMessage(f"GPS: {text}\n")
+    FreeCAD.Console.PrintMessage(f"GPS: {say(text)}\n")
+    _box(QtWidgets.QMessageBox.Information, say(text)).open()  # goes on at once
+
+
+def _box(icon: Any, text: str) -> Any:
     box = QtWidgets.QMessageBox(main_window())
-    box.setIcon(QtWidgets.QMessageBox.Information)
+    box.setIcon(icon)
     box.setWindowTitle("GPS")
     box.setTextFormat(QtCore.Qt.PlainText)  # it may hold the name of a file
     box.setText(text)
     box.setAttribute(QtCore.Qt.WA_DeleteOnClose)
-    box.open()  # goes on at once
+    return box
 
 
 def standard_buttons(*names: str) -> int:

@@ -14,12 +14,13 @@ from window import button, click_in_view, picture, settle, steady, wait
 import gpswb
 from gpswb.gui.commands import GROUPS, MODULES
 from gpswb.gui.commands.import_part import bring_in
-from gpswb.gui.compat import QtGui, QtWidgets, face_colours
+from gpswb.gui.compat import QtCore, QtGui, QtWidgets, face_colours, show_error
 from gpswb.gui.exports import export
 from gpswb.gui.importing import import_part
 from gpswb.gui.objects.partition import make_partition
 from gpswb.gui.panels.show import shown_panel
 from gpswb.io.colours import WHEEL
+from gpswb.sentence import Sentence
 
 NEED_RESULT = {"GPS_Validate", "GPS_Legend", "GPS_Query", "GPS_Report", "GPS_Export"}
 
@@ -172,3 +173,17 @@ def test_coloured_step_of_a_part_that_has_colours(block, partition, tmp_path):
     expected = [WHEEL[name] for name in true_classes(again)]
     assert rgb(face_colours(again.ViewObject)) == expected
     assert "Face7 " in written.read_text("latin-1")
+
+
+def test_an_error_is_shown_as_it_is(document):
+    told = []
+
+    def look():
+        box = QtWidgets.QApplication.activeModalWidget()
+        told.extend([box.text(), box.textFormat() == QtCore.Qt.PlainText])
+        picture("error")
+        box.close()
+
+    QtCore.QTimer.singleShot(300, look)
+    show_error(Sentence("{path}: no such file", path="<b>&.step"))
+    assert told == ["<b>&.step: no such file", True]
