@@ -76,9 +76,9 @@ class FacetScene:
             self._colour(first, faces)
             alone = coin.SoSeparator()  # drawn from a cache of its own
             alone.addChild(faces)
-            if self._edges:
-                alone.addChild(_edges(faces))
             self._filled.addChild(alone)
+            if self._edges:
+                self.root.addChild(_edges(faces))
             yield
         lines = coin.SoIndexedLineSet()
         lines.coordIndex.setValues(0, len(borders), borders)

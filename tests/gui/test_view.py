@@ -101,7 +101,12 @@ def test_mesh_with_a_colour_a_facet(block, partition):
         assert len(alike) > 50, name
     partition.ViewObject.FacetEdges = True
     settle()
-    assert sum(max(p) < 60 for p in pixels("facet_edges")) > sum(max(p) < 60 for p in seen) + 50
+    edged = pixels("facet_edges")
+    assert sum(max(p) < 60 for p in edged) > sum(max(p) < 60 for p in seen) + 50
+    # Edges are dark only: they bring no colour that wasn't there.
+    for other in ("cylindrical", "revolute", "prismatic", "helical"):
+        count = sum(hue_is(p, WHEEL[other]) for p in seen)
+        assert sum(hue_is(p, WHEEL[other]) for p in edged) <= count + 10, other
     partition.ViewObject.Elements = "Faces"
     settle()
     assert block.ViewObject.Visibility
