@@ -43,7 +43,7 @@ def test_groups_fall_apart_where_they_do_not_touch() -> None:
     mesh = box(n=2)
     graph = FacetGraph.of(mesh)
     group = np.where(np.abs(mesh.facet_normals[:, 2]) > 0.5, 0, -1)  # top and bottom
-    part = connected_parts(graph, group, np.ones(len(graph.pairs), dtype=bool))
+    part = connected_parts(group, graph.pairs)
     assert set(part[group < 0]) == {-1}
     assert Counter(part[group >= 0].tolist()) == {0: 8, 1: 8}
 
@@ -51,10 +51,9 @@ def test_groups_fall_apart_where_they_do_not_touch() -> None:
 def test_halves_of_strips_are_connected_and_equal() -> None:
     mesh = strip_cylinder(20)
     graph = FacetGraph.of(mesh)
-    everywhere = np.ones(len(graph.pairs), dtype=bool)
-    half = halves(graph, np.zeros(len(mesh.triangles), dtype=np.int64), everywhere)
+    half = halves(np.zeros(len(mesh.triangles), dtype=np.int64), graph.pairs)
     assert np.bincount(half).tolist() == [20, 20]
-    assert connected_parts(graph, half, everywhere).max() == 1
+    assert connected_parts(half, graph.pairs).max() == 1
 
 
 def test_facets_are_spread_evenly_over_each_part() -> None:

@@ -13,11 +13,12 @@ import numpy as np
 
 from gpswb.core.mesh import BoolArray, FloatArray, IntArray, Mesh
 from gpswb.core.robust.growth import Grown
-from gpswb.core.robust.hypotheses import FEW, FREEFORM, Hypothesis, bend_of, explain
+from gpswb.core.robust.hypotheses import FEW, FREEFORM, Hypothesis
 from gpswb.core.robust.parts import connected_parts, halves, spread_over
-from gpswb.core.robust.patches import patches_around, patches_of
+from gpswb.core.robust.patches import rings_of
 from gpswb.core.robust.proof import LEAST, SAMPLE, proved
 from gpswb.core.robust.topology import FacetGraph
+from gpswb.core.robust.trials import Trials
 from gpswb.core.robust.unbroken import unbroken_parts
 
 CREASE = np.deg2rad(40.0)
@@ -29,10 +30,6 @@ BATCH = 128
 LIKE = 16.0
 """Ratio of two neighbours' areas from which they are not of one part: the strips of a cylinder
 beside the small facets of its fillet would be most of the part's size, and few of its facets."""
-
-LEAST_BEND = 4.0
-"""Tolerances that a part's vertices must leave their mean plane by: a flatter one proves nothing,
-and its halves are flatter still."""
 
 ALIKE = 30.0
 """Tolerances within which a part of one face lies near a surface: its pieces may lie on it."""
@@ -66,6 +63,7 @@ def find_surfaces(
     initial: IntArray,
     tolerance: float,
     smooth: FloatArray,
+    trials: Trials,
     exact: bool,
 ) -> list[Grown]:
     """Surfaces that connected facets lie on, largest evidence first.
@@ -78,18 +76,19 @@ def find_surfaces(
         tolerance: distance that counts as none, mm.
         smooth: (m,) mm, residual of the best torus where facets were seen to be freeform, 0 where
             they were not; what is seen here is added for calls with wider tolerances.
+        trials: fits to parts so far.
         exact: whether the tolerance is that of rounding, so that few facets prove a surface.
     """
     free = free.copy()
     found: list[Grown] = []
     group = initial
     for _ in range(ROUNDS):
-        new = _descend(mesh, graph, group, free, tolerance, smooth, exact)
+        new = _descend(mesh, graph, group, free, tolerance, smooth, trials, exact)
         found += new
         if sum(len(g.facets) for g in new) < WORTHWHILE * free.sum():
             break
         group = np.zeros(len(free), dtype=np.int64)
-    return found + _around_seeds(mesh, graph, free, tolerance, smooth, exact)
+    return found + _around_seeds(mesh, graph, free, tolerance, smooth, trials, exact)
 
 
 def _descend(
@@ -99,6 +98,7 @@ def _descend(
     free: BoolArray,
     tolerance: float,
     smooth: FloatArray,
+    trials: Trials,
     exact: bool,
 ) -> list[Grown]:
     """Surfaces of parts, of their halves, and so on; their facets are no longer free afterwards."""
@@ -108,41 +108,40 @@ def _descend(
     area = np.maximum(mesh.areas[graph.pairs], 1e-300)
     flat = np.abs(graph.pair_dihedral) < CREASE
     flat &= np.abs(np.log(area[:, 0] / area[:, 1])) < np.log(LIKE)
+    flat &= free[graph.pairs].all(axis=1)
+    links = graph.pairs[flat]
     while True:
         open_ = free & (smooth <= tolerance)
-        part = connected_parts(graph, np.where(open_, group, -1), flat)
+        part = connected_parts(np.where(open_, group, -1), links)
         facets, size = spread_over(part, SAMPLE)
         order = np.argsort(-size, kind="stable")
         order = order[size[order] >= least]
         if not len(order):
             return found
         tried = np.zeros(len(size), dtype=bool)
-        left, bend = np.zeros(len(size)), np.zeros(len(size))
+        left = np.zeros(len(size))
         for start in range(0, len(order), BATCH):
             batch = order[start : start + BATCH]
             known = len(found)
-            patches = patches_of(mesh, facets[batch])
-            bend[batch] = bend_of(patches) * patches.scale
-            bent = np.flatnonzero(bend[batch] > LEAST_BEND * tolerance)
-            batch, patches = batch[bent], patches.take(bent)
+            trial = trials.of(facets[batch], size[batch], tolerance)
+            batch = batch[trial.bent]
             if not len(batch):
                 continue
             tried[batch] = True
-            said = explain(mesh, patches, size[batch], tolerance)
-            left[batch] = said.residual
-            found += _grow_all(mesh, graph, said.hypotheses, free, tolerance)
-            _note_freeform(part, batch, said.freeform, doubt, smooth)
+            found += _grow_all(mesh, graph, trial.hypotheses, free, tolerance)
+            _note_freeform(part, batch, trial.freeform[trial.bent], doubt, smooth)
+            far = trial.residual > np.maximum(ALIKE * tolerance, FREEFORM * trial.bend)
+            left[batch] = np.where(far & trial.fresh, trial.residual, 0.0)[trial.bent]
             if start >= MOST and len(found) == known:
                 break
         least = LEAST if exact else FEW
         part = np.where(free, part, -1)
-        far = left > np.maximum(ALIKE * tolerance, FREEFORM * bend)
-        whole = unbroken_parts(mesh, graph, part, flat, tried & far)
+        whole = unbroken_parts(mesh, graph, part, flat, left > 0.0)
         # What is of one face, and isn't near any surface, has no part that is on one.
         inside = np.append(whole, False)[part]
         smooth[inside] = np.append(left, 0.0)[part[inside]]
         worth = np.append(tried & (size > least) & ~whole, False)
-        group = halves(graph, np.where(worth[part], part, -1), flat)
+        group = halves(np.where(worth[part], part, -1), links)
 
 
 def _note_freeform(
@@ -191,6 +190,7 @@ def _around_seeds(
     free: BoolArray,
     tolerance: float,
     smooth: FloatArray,
+    trials: Trials,
     exact: bool,
 ) -> list[Grown]:
     """Surfaces from the neighbourhoods of facets that are left.
@@ -200,7 +200,7 @@ def _around_seeds(
     """
     found: list[Grown] = []
     for rings in RINGS:
-        group = connected_parts(graph, np.where(free, 0, -1), np.ones(len(graph.pairs), dtype=bool))
+        group = connected_parts(np.where(free, 0, -1), graph.pairs[free[graph.pairs].all(axis=1)])
         few = np.append(np.bincount(group[group >= 0]) <= SMALL, False)[group]
         passable = _passable(graph, free)
         open_ = free & (smooth <= tolerance) & passable.any(axis=1)
@@ -215,10 +215,9 @@ def _around_seeds(
             batch = batch[passable[batch].any(axis=1)]
             if not len(batch):
                 continue
-            patches = patches_around(mesh, graph, batch, passable, rings)
-            count = (patches.facets >= 0).sum(axis=1)
-            said = explain(mesh, patches, count, tolerance)
-            found += _grow_all(mesh, graph, said.hypotheses, free, tolerance)
+            facets = rings_of(graph, batch[:, None], passable, rings)
+            trial = trials.of(facets, (facets >= 0).sum(axis=1), tolerance)
+            found += _grow_all(mesh, graph, trial.hypotheses, free, tolerance)
     return found
 
 

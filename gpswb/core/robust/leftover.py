@@ -105,8 +105,9 @@ def _swept_apart(
     """
     out = part.copy()
     piece = np.where(broken, part, -1)
+    links = graph.pairs[smooth]
     for _ in range(LEVELS):
-        piece = connected_parts(graph, halves(graph, piece, smooth), smooth)
+        piece = connected_parts(halves(piece, links), links)
         size = np.bincount(piece[piece >= 0])
         worth = np.append(size >= LEAST_FACETS, False)
         piece, count = number_facet_regions(np.where(worth[piece], piece, -1), mesh)
@@ -125,7 +126,7 @@ def _swept_apart(
                     piece[face] = -1
     if (out == part).all():
         return part
-    return connected_parts(graph, out, np.ones(len(graph.pairs), dtype=bool))
+    return connected_parts(out, graph.pairs)
 
 
 def _pieces(

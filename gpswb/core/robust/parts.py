@@ -5,64 +5,50 @@ from __future__ import annotations
 
 import numpy as np
 from scipy.sparse import csr_array
-from scipy.sparse.csgraph import dijkstra
+from scipy.sparse.csgraph import connected_components, dijkstra
 
-from gpswb.core.mesh import BoolArray, IntArray
-from gpswb.core.robust.topology import FacetGraph
+from gpswb.core.mesh import IntArray
 
 
-def connected_parts(graph: FacetGraph, group: IntArray, smooth: BoolArray) -> IntArray:
+def connected_parts(group: IntArray, links: IntArray) -> IntArray:
     """Connected pieces of groups of facets.
 
     Args:
-        graph: the adjacency.
         group: (m,) group of each facet, -1 for none.
-        smooth: (e,) pairs across which facets hang together if they are of one group.
+        links: (k, 2) facets that hang together if they are of one group.
 
     Returns:
         (m,) 0-based part of each facet, -1 where the group is.
     """
-    a, b = graph.pairs.T
-    joined = smooth & (group[a] == group[b]) & (group[a] >= 0)
-    label = graph.components(joined, len(group))
+    facets, inside = _within(group, links)
     part = np.full(len(group), -1, dtype=np.int64)
-    inside = group >= 0
-    part[inside] = np.unique(label[inside], return_inverse=True)[1].reshape(-1)
+    part[facets] = connected_components(inside, directed=False)[1]
     return part
 
 
-def halves(graph: FacetGraph, part: IntArray, smooth: BoolArray) -> IntArray:
+def halves(part: IntArray, links: IntArray) -> IntArray:
     """Divide each part in two by the steps from facet to facet from one of its ends.
 
     Steps follow the surface and the strips of a coarse mesh, whose facets' centroids lie on either
     side of any plane.
 
     Args:
-        graph: the adjacency.
         part: (m,) 0-based connected part of each facet, -1 for none.
-        smooth: (e,) pairs across which facets hang together if they are of one part.
+        links: (k, 2) facets that hang together if they are of one part.
 
     Returns:
         (m,) 0-based half, twice as many as parts, -1 where the part is.
     """
-    facets = np.flatnonzero(part >= 0)
     half = np.full(len(part), -1, dtype=np.int64)
+    facets, inside = _within(part, links)
     if not len(facets):
         return half
     label = part[facets]
-    number = np.full(len(part), -1, dtype=np.int64)
-    number[facets] = np.arange(len(facets))
-    a, b = graph.pairs[smooth & (part[graph.pairs[:, 0]] == part[graph.pairs[:, 1]])].T
-    inside = part[a] >= 0
-    row, column = number[a[inside]], number[b[inside]]
-    links = csr_array(
-        (np.ones(len(row), dtype=np.int8), (row, column)), shape=(len(facets), len(facets))
-    )
     order = np.argsort(label, kind="stable")
     count = np.bincount(label)
     ends = order[np.cumsum(count)[count > 0] - 1]
     for _ in range(2):  # the far end from anywhere is an end, and so is the far end from there
-        steps = dijkstra(links, directed=False, indices=ends, unweighted=True, min_only=True)
+        steps = dijkstra(inside, directed=False, indices=ends, unweighted=True, min_only=True)
         order = np.lexsort((steps, label))
         ends = order[np.cumsum(count)[count > 0] - 1]
     rank = np.empty(len(facets), dtype=np.int64)
@@ -70,6 +56,17 @@ def halves(graph: FacetGraph, part: IntArray, smooth: BoolArray) -> IntArray:
     start = np.cumsum(count) - count
     half[facets] = 2 * label + (2 * (rank - start[label]) >= count[label])
     return half
+
+
+def _within(group: IntArray, links: IntArray) -> tuple[IntArray, csr_array]:
+    """The facets of groups (-1 for none), and which of them are linked to one of their group."""
+    facets = np.flatnonzero(group >= 0)
+    number = np.empty(len(group), dtype=np.int32)
+    number[facets] = np.arange(len(facets), dtype=np.int32)
+    first, second = group[links.T]
+    row, column = number[links[(first == second) & (first >= 0)].T]
+    ones = np.ones(len(row), dtype=np.int8)
+    return facets, csr_array((ones, (row, column)), shape=(len(facets), len(facets)))
 
 
 def spread_over(part: IntArray, most: int) -> tuple[IntArray, IntArray]:

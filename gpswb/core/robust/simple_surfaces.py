@@ -15,6 +15,7 @@ from gpswb.core.robust.reclaim import reclaim
 from gpswb.core.robust.rejoin import rejoin
 from gpswb.core.robust.stacked_bands import stacked_bands
 from gpswb.core.robust.topology import FacetGraph
+from gpswb.core.robust.trials import Trials
 from gpswb.core.stages import StageClock
 
 TIERS: tuple[float, ...] = (1e-7, 1e-5, 3e-5, 1e-4)
@@ -49,6 +50,7 @@ def simple_surfaces(
     whole = mesh.areas > 0.0
     found: list[Grown] = []
     smooth = np.zeros(len(whole))
+    trials = Trials(mesh)
     for number, tier in enumerate(TIERS):
         tolerance = tier * mesh.diagonal
         # What isn't exact yet may be a piece of something larger, which shows at a wider tolerance.
@@ -60,7 +62,7 @@ def simple_surfaces(
         if tier <= INSIDE:
             # Beyond, an exact region would grow into its tangent neighbours.
             found = [_regrow(mesh, graph, g, free, tolerance) for g in found]
-        new = find_surfaces(mesh, graph, free, initial, tolerance, smooth, number == 0)
+        new = find_surfaces(mesh, graph, free, initial, tolerance, smooth, trials, number == 0)
         for g in new:
             free[g.facets] = False
         found += new + _still_free(weak, free)
