@@ -34,8 +34,8 @@ RIDGE = 1e-10
 """Added to the normal equations, in units of a vertex: a term that the vertices leave open stays
 finite, and its standard error large."""
 
-BLOCK = 1024
-"""Edges fitted together."""
+BLOCK = 512
+"""Edges fitted together: as many as the cache holds."""
 
 
 def curvature_jumps(
@@ -81,17 +81,24 @@ def _jumps(
     size_s, size_t, size_h = (np.maximum(np.abs(q).max(axis=1), 1e-300) for q in (s, t, h))
     s, t, h = s / size_s[:, None], t / size_t[:, None], h / size_h[:, None]
     weight = present * np.exp(-FADE * (s * s + t * t))
-    one = np.ones_like(s)
     beyond = np.maximum(s, 0.0)
-    terms = [one, s, t, s * s, s * t, t * t, s**3, s * s * t, s * t * t, t**3, beyond * beyond]
-    rows = np.stack(terms, axis=2) * weight[..., None]
-    unknowns = rows.shape[2]
-    matrix = np.swapaxes(rows, 1, 2) @ rows
+    rows = np.empty((len(edges), 11, s.shape[1]))
+    rows[:, 0] = weight
+    np.multiply(weight, s, out=rows[:, 1])
+    np.multiply(weight, t, out=rows[:, 2])
+    for term, (first, second) in enumerate(
+        ((1, s), (1, t), (2, t), (3, s), (3, t), (5, s), (5, t)), start=3
+    ):
+        np.multiply(rows[:, first], second, out=rows[:, term])
+    np.multiply(weight, beyond * beyond, out=rows[:, 10])
+    unknowns = rows.shape[1]
+    matrix = rows @ np.swapaxes(rows, 1, 2)
     count = present.sum(axis=1)
     matrix[:, range(unknowns), range(unknowns)] += RIDGE * count[:, None]
     inverse = np.linalg.inv(matrix)
-    c = np.einsum("eij,enj,en->ei", inverse, rows, h * weight, optimize=True)
-    left = np.einsum("eni,ei->en", rows, c) - h * weight
+    goal = (h * weight)[..., None]
+    c = (inverse @ (rows @ goal))[..., 0]
+    left = (c[:, None] @ rows)[:, 0] - goal[..., 0]
     variance = (left**2).sum(axis=1) / np.maximum(count - unknowns, 1)
     second = 2.0 * size_h / size_s**2
     jump = np.abs(c[:, 10]) * second

@@ -86,6 +86,7 @@ def grow(
     seed: IntArray,
     allowed: BoolArray,
     tolerance: float,
+    facets: IntArray | None = None,
 ) -> Grown:
     """Grow from seed facets over the facets that lie on a surface, refitting it to what was found.
 
@@ -97,17 +98,25 @@ def grow(
         seed: facets to start from.
         allowed: (m,) facets that may be taken.
         tolerance: largest distance of a vertex, mm.
+        facets: what the hypothesis grows to, if that is known already.
     """
-    facets = np.zeros(0, dtype=np.int64)
-    for _ in range(REFITS):
-        found = flood(mesh, graph, kind, surface, seed, allowed, tolerance)
+    if facets is None:
+        facets = flood(mesh, graph, kind, surface, seed, allowed, tolerance)
+    for _ in range(REFITS - 1):
+        if not len(facets):
+            break
+        surface = refit(mesh, kind, surface, facets)
+        if residual(mesh, Grown(kind, surface, facets)) <= tolerance:
+            # All of it is on the new surface still: only what surrounds it is to be asked.
+            found = flood(mesh, graph, kind, surface, facets, allowed, tolerance, lying=True)
+        else:
+            found = flood(mesh, graph, kind, surface, seed, allowed, tolerance)
         if len(found) <= len(facets):
             break
-        settled = len(facets) and len(found) < 1.02 * len(facets)
+        settled = len(found) < 1.02 * len(facets)
         facets = found
         if settled:
             break
-        surface = refit(mesh, kind, surface, facets)
     return Grown(kind, surface, facets)
 
 
@@ -220,11 +229,13 @@ def flood(
     seed: IntArray,
     allowed: BoolArray,
     tolerance: float,
+    lying: bool = False,
 ) -> IntArray:
-    """(k,) facets connected to the seed that lie on a surface; arguments as in ``grow``."""
+    """(k,) facets connected to the seed that lie on a surface; arguments as in ``grow``, and
+    whether the seed is known to lie on it."""
     _, normal = distance(kind, surface[None], mesh.centroids[seed][None])
     side = float(np.sign(np.einsum("ik,ik->", normal[0], mesh.facet_normals[seed])))
-    front = seed[on_surface(mesh, kind, surface, seed, tolerance, side)]
+    front = seed if lying else seed[on_surface(mesh, kind, surface, seed, tolerance, side)]
     untested, lies = allowed.copy(), np.zeros(len(allowed), dtype=bool)
     untested[seed] = False
     taken = [front]

@@ -44,7 +44,7 @@ def proved(
         or not holds_inside(mesh, graph, rough, tolerance)
     ):
         return None
-    grown = grow(mesh, graph, h.kind, h.surface, np.array([h.seed]), free, tolerance)
+    grown = grow(mesh, graph, h.kind, h.surface, np.array([h.seed]), free, tolerance, touched)
     if len(grown.facets):
         grown = simplest(mesh, graph, grown, free, tolerance)
     return grown if enough_evidence(mesh, graph, grown, tolerance) else None
