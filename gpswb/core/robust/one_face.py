@@ -35,8 +35,9 @@ def join_faces(
 
     A face is found in pieces where none of them was known exactly. Between faces that join
     smoothly curvature jumps; between the pieces of one it does not. A piece may have a symmetry
-    that the face hasn't: a short stretch of a helical band lies on a torus. But what has one axis
-    has a symmetry together, whatever it is: a cylinder stays one beside a cone.
+    that the face hasn't: a short stretch of a helical band lies on a torus. Other symmetries together
+    prove nothing: whatever is coaxial is revolute, parallel cylinders are prismatic, two spheres
+    have an axis.
 
     Args:
         mesh: the mesh.
@@ -80,7 +81,7 @@ def join_faces(
 
 class _OneClass:
     """Likeness of regions: share of their border that is none, if their union has the class of the
-    larger, or two of one class have another one together; else 0 (a ``MergeRule``)."""
+    larger, or two revolute ones have another together; else 0 (a ``MergeRule``)."""
 
     def __init__(
         self,
@@ -122,5 +123,5 @@ class _OneClass:
         self._union[min(a, b), max(a, b)] = name = self._classes(trial)[0]
         size = np.bincount(self._region[self._region >= 0], minlength=self._count)
         larger = one if size[a] >= size[b] else other
-        kept = name == larger or (one == other and name != "complex")
+        kept = name == larger or (one == other == "revolute" and name != "complex")
         return float(share) if kept else 0.0
