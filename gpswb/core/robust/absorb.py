@@ -9,16 +9,12 @@ import numpy as np
 
 from gpswb.core.initial import InitialPartition
 from gpswb.core.mesh import BoolArray, IntArray, Mesh
-from gpswb.core.robust.evidence import EXACT, sagitta
+from gpswb.core.robust.evidence import CHANCE, EXACT, sagitta
 from gpswb.core.robust.growth import Grown, stand_off, vertices_of
 from gpswb.core.robust.hosts import hosts_of, sides_that_go_on
 from gpswb.core.robust.leftover import classes_of
 from gpswb.core.robust.topology import FacetGraph
 from gpswb.core.tolerances import Tolerances
-
-CHANCE = 1000.0
-"""A region that bends by less than so many times what it stands off may be a chance fit: two
-tangent surfaces whose curvatures differ by a third leave as much."""
 
 SHARE = 0.5
 """Share of a piece's border across which it must continue smoothly into what surrounds it."""

@@ -34,6 +34,10 @@ EXACT = 3e4
 """A region that bends by so many times what its vertices stand off is exact: no patch of another
 surface comes near, whatever continues behind its border."""
 
+CHANCE = 1000.0
+"""A region that bends by less than so many times what it stands off may be a chance fit: two
+tangent surfaces whose curvatures differ by a third leave as much."""
+
 INSIDE = 1e-5
 """Share of the diagonal by which vertices inside a face may be off its surface: those of its edges
 hold to the modelling tolerance of exchanged files only, which is wider."""
@@ -125,7 +129,8 @@ def holds_inside(mesh: Mesh, graph: FacetGraph, grown: Grown, tolerance: float) 
     if len(inner) < UNKNOWNS[grown.kind] + SPARE:
         return True
     d, _ = distance(grown.kind, grown.surface[None], mesh.vertices[inner][None])
-    return float(np.quantile(np.abs(d), MOST)) <= limit
+    off = float(np.quantile(np.abs(d), MOST))
+    return off <= limit and sagitta(mesh, grown) >= CHANCE * off
 
 
 def drifts(mesh: Mesh, graph: FacetGraph, grown: Grown, tolerance: float) -> bool:

@@ -7,18 +7,14 @@ from collections.abc import Callable, Mapping
 
 import numpy as np
 
-from gpswb.core.facet_edges import edge_lengths
 from gpswb.core.initial import InitialPartition
 from gpswb.core.invariance import InvarianceClass
 from gpswb.core.merging import merge_regions
 from gpswb.core.mesh import BoolArray, FloatArray, IntArray, Mesh
-from gpswb.core.robust.curvature_jumps import curvature_jumps
 from gpswb.core.robust.leftover import classes_of
+from gpswb.core.robust.seen_borders import SEEN, SeenBorders
 from gpswb.core.robust.topology import FacetGraph
 from gpswb.core.tolerances import Tolerances
-
-SEEN = 0.5
-"""Share of a common border across which curvature must be seen not to jump."""
 
 
 def join_faces(
@@ -35,9 +31,9 @@ def join_faces(
 
     A face is found in pieces where none of them was known exactly. Between faces that join
     smoothly curvature jumps; between the pieces of one it does not. A piece may have a symmetry
-    that the face hasn't: a short stretch of a helical band lies on a torus. Other symmetries together
-    prove nothing: whatever is coaxial is revolute, parallel cylinders are prismatic, two spheres
-    have an axis.
+    that the face hasn't: a short stretch of a helical band lies on a torus. Other symmetries
+    together prove nothing: whatever is coaxial is revolute, parallel cylinders are prismatic, two
+    spheres have an axis.
 
     Args:
         mesh: the mesh.
@@ -57,10 +53,7 @@ def join_faces(
     rim = np.flatnonzero(border & ~sure[a] & ~sure[b])
     if not len(rim):
         return label
-    _, none = curvature_jumps(mesh, graph, rim, graph.smooth)
-    length = edge_lengths(mesh, rim)
-    used, ends = np.unique(label[graph.pairs[rim]], return_inverse=True)
-    ends = ends.reshape(-1, 2)
+    used = np.unique(label[graph.pairs[rim]])
     number = np.full(len(label), -1, dtype=np.int64)
     inside = np.isin(label, used)
     number[inside] = np.searchsorted(used, label[inside])
@@ -69,8 +62,9 @@ def join_faces(
         return list(classes_of(mesh, region, first.crease, sigma, tolerances))
 
     name = [known.get(u, c) for u, c in zip(used.tolist(), classes(number), strict=True)]
-    rule = _OneClass(ends, none * length, length, number, name, classes)
-    kept = merge_regions(len(used), ends, rule, SEEN)
+    borders = SeenBorders(mesh, graph, rim, number)
+    rule = _OneClass(borders, number, name, classes)
+    kept = merge_regions(len(used), borders.ends, rule, SEEN)
     # What was joined lies on no surface known so far.
     joined = np.bincount(kept, minlength=len(used)) > 1
     new = np.where(joined[kept], int(label.max()) + 1 + kept, used)
@@ -85,14 +79,12 @@ class _OneClass:
 
     def __init__(
         self,
-        ends: IntArray,
-        seen: FloatArray,
-        length: FloatArray,
+        borders: SeenBorders,
         region: IntArray,
         name: list[InvarianceClass],
         classes: Callable[[IntArray], list[InvarianceClass]],
     ) -> None:
-        self._ends, self._seen, self._length = ends, seen, length
+        self._borders = borders
         self._region, self._classes = region, classes
         self._name, self._count = list(name), len(name)
         self._union: dict[tuple[int, int], InvarianceClass] = {}
@@ -105,7 +97,7 @@ class _OneClass:
     def join(self, kept: IntArray, gone: IntArray) -> None:
         now = np.arange(self._count)
         now[gone] = kept
-        self._ends = now[self._ends]
+        self._borders.join(kept, gone, self._count)
         self._region = np.where(self._region >= 0, now[self._region], -1)
         for a, b in zip(kept.tolist(), gone.tolist(), strict=True):
             self._name[a] = self._union[min(a, b), max(a, b)]
@@ -114,9 +106,7 @@ class _OneClass:
         one, other = self._name[a], self._name[b]
         if (one == "complex") != (other == "complex"):
             return 0.0
-        common = ((self._ends == a) | (self._ends == b)).all(axis=1)
-        common &= self._ends[:, 0] != self._ends[:, 1]
-        share = self._seen[common].sum() / max(float(self._length[common].sum()), 1e-300)
+        share = self._borders.share(a, b)
         if share < SEEN:
             return 0.0
         trial = np.where((self._region == a) | (self._region == b), 0, -1)
@@ -124,4 +114,4 @@ class _OneClass:
         size = np.bincount(self._region[self._region >= 0], minlength=self._count)
         larger = one if size[a] >= size[b] else other
         kept = name == larger or (one == other == "revolute" and name != "complex")
-        return float(share) if kept else 0.0
+        return share if kept else 0.0

@@ -20,7 +20,7 @@ from gpswb.core.region_samples import confined_normals, region_samples
 from gpswb.core.robust.absorb import absorb_pieces
 from gpswb.core.robust.decide import by_gap, unless_far_better
 from gpswb.core.robust.describe import describe_surface
-from gpswb.core.robust.evidence import EXACT, INSIDE, is_exact, sagitta
+from gpswb.core.robust.evidence import CHANCE, EXACT, INSIDE, is_exact, sagitta
 from gpswb.core.robust.growth import Grown, fit_facets, regions_of, stand_off
 from gpswb.core.robust.leftover import label_leftover
 from gpswb.core.robust.one_face import join_faces
@@ -150,7 +150,9 @@ def _recognise(
             continue
         name = CLASS_OF[grown.kind]
         off = stand_off(grown, sample.vertices)
-        if sigma == 0.0 and grown.kind != "plane" and sagitta(mesh, grown) < EXACT * off:
+        # A narrow band of anything lies nearly on a torus or cone, but hardly on a cylinder.
+        doubt = CHANCE if grown.kind == "cylinder" else EXACT
+        if sigma == 0.0 and grown.kind != "plane" and sagitta(mesh, grown) < doubt * off:
             choose = unless_far_better(name, off, sample.vertices)
             found = recognise(r, sample, merged, sigma, tolerances, choose=choose)
             if found.invariance_class != name:

@@ -7,9 +7,10 @@ import numpy as np
 
 from gpswb.core.merging import merge_regions
 from gpswb.core.mesh import FloatArray, IntArray, Mesh
-from gpswb.core.robust.evidence import is_exact
-from gpswb.core.robust.growth import Grown, fit_facets, stand_off, vertices_of
+from gpswb.core.robust.evidence import INSIDE, is_exact
+from gpswb.core.robust.growth import Grown, fit_facets, residual, stand_off, vertices_of
 from gpswb.core.robust.reclaim import NEARER
+from gpswb.core.robust.seen_borders import SEEN, SeenBorders
 from gpswb.core.robust.topology import FacetGraph
 
 
@@ -18,7 +19,9 @@ def rejoin(mesh: Mesh, graph: FacetGraph, found: list[Grown], floor: float) -> l
 
     A spline that stands for a circle leaves it by its modelling tolerance; its pieces fit circles
     of their own better, but not by the orders of magnitude that tell two surfaces apart. If
-    the larger one is exact, its surface is that of both.
+    the larger one is exact, its surface is that of both. Where curvature is seen not to jump
+    between them, the tolerance of approximated surfaces is enough; not for tori, since a stretch of
+    any narrow band lies on one.
 
     Args:
         mesh: the mesh.
@@ -32,10 +35,11 @@ def rejoin(mesh: Mesh, graph: FacetGraph, found: list[Grown], floor: float) -> l
     owner = np.full(len(mesh.triangles), -1, dtype=np.int64)
     for i, g in enumerate(found):
         owner[g.facets] = i
-    ends = owner[graph.pairs[graph.smooth]]
-    ends = ends[(ends >= 0).all(axis=1)]
-    rule = _OneSurface(mesh, found, floor)
-    kept = merge_regions(len(found), ends, rule, 1.0)
+    ends = owner[graph.pairs]
+    border = graph.smooth & (ends >= 0).all(axis=1) & (ends[:, 0] != ends[:, 1])
+    borders = SeenBorders(mesh, graph, np.flatnonzero(border), owner)
+    rule = _OneSurface(mesh, found, borders, floor)
+    kept = merge_regions(len(found), borders.ends, rule, 1.0)
     out = [rule.regions[i] for i in np.unique(kept)]
     return sorted(out, key=lambda g: -len(g.facets))
 
@@ -44,8 +48,8 @@ class _OneSurface:
     """Likeness of regions: how far their union may stand off one surface, as a multiple of how far
     it does (a ``MergeRule``); 0 for regions of different kinds."""
 
-    def __init__(self, mesh: Mesh, found: list[Grown], floor: float) -> None:
-        self._mesh, self._floor = mesh, floor
+    def __init__(self, mesh: Mesh, found: list[Grown], borders: SeenBorders, floor: float) -> None:
+        self._mesh, self._borders, self._floor = mesh, borders, floor
         self.regions = list(found)
         self._off = [stand_off(g, vertices_of(mesh, g.facets)) for g in found]
         self._union: dict[tuple[int, int], tuple[Grown, float]] = {}
@@ -56,6 +60,7 @@ class _OneSurface:
         )
 
     def join(self, kept: IntArray, gone: IntArray) -> None:
+        self._borders.join(kept, gone, len(self.regions))
         for a, b in zip(kept.tolist(), gone.tolist(), strict=True):
             self.regions[a], self._off[a] = self._union[min(a, b), max(a, b)]
 
@@ -72,5 +77,11 @@ class _OneSurface:
         else:
             union = Grown(one.kind, fit_facets(self._mesh, one.kind, facets), facets)
             off = stand_off(union, vertices_of(self._mesh, facets))
-        self._union[min(a, b), max(a, b)] = union, off
+        key = min(a, b), max(a, b)
+        self._union[key] = union, off
+        if off > limit and one.kind != "torus" and self._borders.share(a, b) >= SEEN:
+            union = Grown(one.kind, fit_facets(self._mesh, one.kind, facets), facets)
+            off, limit = residual(self._mesh, union), INSIDE * self._mesh.diagonal
+            if off <= limit:
+                self._union[key] = union, stand_off(union, vertices_of(self._mesh, facets))
         return limit / max(off, 1e-300)
