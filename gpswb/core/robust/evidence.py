@@ -7,7 +7,7 @@ import numpy as np
 
 from gpswb.core.mesh import FloatArray, Mesh
 from gpswb.core.robust.growth import SPARE, Grown, stand_off, vertices_of
-from gpswb.core.robust.surfaces import UNKNOWNS, distance
+from gpswb.core.robust.surfaces import UNKNOWNS, Kind, distance
 from gpswb.core.robust.topology import SMOOTH, FacetGraph
 
 LINES = 4
@@ -16,8 +16,8 @@ LINES = 4
 SURE_LINES = 5
 """Rulings that prove it: four of a symmetric profile lie on one cylinder, too."""
 
-POINTS = 8
-"""Vertices that prove a sphere (4 unknowns) or a torus (7)."""
+POINTS: dict[Kind, int] = {"sphere": 8, "torus": 10}
+"""Vertices that prove a sphere (4 unknowns) or a torus (7, and two at each place of a profile)."""
 
 PROFILE = 5
 """Different places on the tube that prove a torus: any three rings of vertices lie on one torus,
@@ -57,7 +57,7 @@ def enough_evidence(mesh: Mesh, graph: FacetGraph, grown: Grown, tolerance: floa
     if grown.kind in ("cylinder", "cone"):
         if distinct_rulings(points, grown.surface) < LINES:
             return False
-    elif len(points) < POINTS or (
+    elif len(points) < POINTS[grown.kind] or (
         grown.kind == "torus" and distinct_places(points, grown.surface) < PROFILE
     ):
         return False
