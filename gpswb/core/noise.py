@@ -45,6 +45,10 @@ ROUNDING = 1e-6
 BENT = (0.03, 0.6)
 """Turn (rad) between facets that says that a surface bends there, and that it is a crease."""
 
+BENT_SHARE = 0.1
+"""Share of the facets that bend, from which they may decide: a pole or a kink of one face is no
+sample of the mesh."""
+
 MILD = 3e-4
 """Share of the diagonal up to which bent parts may be off beside exact planes. What is rougher than
 that is rough everywhere, or it is shape."""
@@ -74,7 +78,10 @@ def estimate_noise(mesh: Mesh) -> float:
     """
     sigma = _estimate(mesh, mesh.diagonal)
     if sigma <= ROUNDING * mesh.diagonal:
-        bent = Mesh(mesh.vertices, mesh.triangles[_bent(mesh)])
+        bends = _bent(mesh)
+        if bends.mean() < BENT_SHARE:
+            return 0.0
+        bent = Mesh(mesh.vertices, mesh.triangles[bends])
         sigma = _estimate(bent, mesh.diagonal)
         mild = 10.0 * ROUNDING * mesh.diagonal < sigma < MILD * mesh.diagonal
         if not mild or _has_exact_patches(bent):

@@ -66,5 +66,12 @@ def test_where_a_coarse_cylinder_is_exact_nothing_is_noise() -> None:
     assert estimate_noise(weld(mesh, apart)) == 0.0
 
 
+def test_a_few_facets_that_bend_are_no_sample() -> None:
+    mesh = rough_wall()
+    apart = box(n=70)
+    assert len(mesh.triangles) < 0.1 * len(apart.triangles)
+    assert estimate_noise(weld(mesh, Mesh(apart.vertices + 10.0, apart.triangles))) == 0.0
+
+
 def test_a_mesh_too_small_for_a_fit_has_none() -> None:
     assert estimate_noise(box(n=1)) == 0.0
