@@ -9,13 +9,17 @@ from analytic_meshes import sheet
 from known_surfaces import Frame
 from scipy.interpolate import CubicSpline
 
-from gpswb.core.mesh import BoolArray, FloatArray, Mesh
+from gpswb.core.mesh import BoolArray, FloatArray, IntArray, Mesh
+from gpswb.core.robust import trials
 from gpswb.core.robust.curvature_jumps import BORDER, curvature_jumps
 from gpswb.core.robust.growth import Grown, fit_facets
+from gpswb.core.robust.hypotheses import Explained, explain
+from gpswb.core.robust.patches import Patches
 from gpswb.core.robust.reclaim import reclaim
 from gpswb.core.robust.rejoin import rejoin
 from gpswb.core.robust.smooth_parts import smooth_parts
 from gpswb.core.robust.topology import FacetGraph
+from gpswb.core.robust.unbroken import unbroken_parts
 
 FACETS = 48
 """Facets along the profile, half of them on either side of its middle."""
@@ -90,6 +94,52 @@ def test_parts_end_where_curvature_jumps(second: float) -> None:
     part, _ = smooth_parts(mesh, graph, np.ones(len(graph.pairs), dtype=bool))
     assert len(np.unique(part)) == 2
     assert np.array_equal(part == part[-1], halves(mesh))
+
+
+@pytest.mark.parametrize(
+    ("first", "second", "whole"),
+    [(0.1, 0.1, True), (0.1, 0.08, False), (0.1, 0.0, False), (0.1, -0.1, False)],
+)
+def test_a_part_is_of_one_face_where_no_border_is_in_it(
+    first: float, second: float, whole: bool
+) -> None:
+    mesh = arcs(first, second)
+    graph = FacetGraph.of(mesh)
+    part = np.zeros(len(mesh.triangles), dtype=np.int64)
+    part[:100] = 1  # not asked about
+    asked = np.array([True, False])
+    found = unbroken_parts(mesh, graph, part, graph.smooth, asked)
+    assert found.tolist() == [whole, False]
+
+
+def test_of_a_coarse_part_nothing_is_said() -> None:
+    mesh = sheet(wave, 8, 8)
+    graph = FacetGraph.of(mesh)
+    part = np.zeros(len(mesh.triangles), dtype=np.int64)
+    assert not unbroken_parts(mesh, graph, part, graph.smooth, np.array([True])).any()
+
+
+def test_a_part_is_fitted_once_however_wide_the_tolerance(monkeypatch: pytest.MonkeyPatch) -> None:
+    mesh = sheet(wave, FACETS, 48)
+    asked = []
+
+    def counted(mesh: Mesh, patches: Patches, size: IntArray, tolerance: float) -> Explained:
+        asked.append(len(size))
+        return explain(mesh, patches, size, tolerance)
+
+    monkeypatch.setattr(trials, "explain", counted)
+    fits = trials.Trials(mesh)
+    facets = np.arange(0, len(mesh.triangles), 100)[None]
+    size = np.array([len(mesh.triangles)])
+    first = fits.of(facets, size, 1e-6)
+    left = float(first.residual[0])
+    assert first.fresh[0]
+    assert left > 1e-3  # the wave is on no surface
+    again = fits.of(facets, size, 0.9 * left)
+    assert not again.fresh[0]
+    assert again.residual[0] == left
+    assert asked == [1]
+    assert fits.of(facets, size, 1.1 * left).fresh[0]
 
 
 def test_a_smooth_face_is_one_part() -> None:
