@@ -69,10 +69,11 @@ def absorb_pieces(
     out = label.copy()
     few = tolerances.confident_facets
     kept = np.bincount(label[sure & (label >= 0)], minlength=int(label.max(initial=-1)) + 1) > 0
-    chance = np.zeros(len(kept), dtype=bool)
+    chance, exact = np.zeros((2, len(kept)), dtype=bool)
     for i, g in enumerate(surfaces):
         bend, off = sagitta(mesh, g), stand_off(g, vertices_of(mesh, g.facets))
-        kept[i] |= g.kind == "plane" or (bend >= EXACT * off and len(g.facets) >= few)
+        exact[i] = g.kind != "plane" and bend >= EXACT * off
+        kept[i] |= g.kind == "plane" or (exact[i] and len(g.facets) >= few)
         chance[i] = bend < CHANCE * off
     goes_on = sides_that_go_on(mesh, graph, label)
     for _ in range(ROUNDS):
@@ -88,7 +89,8 @@ def absorb_pieces(
                 piecemeal = host.smooth >= SHARE and (size[piece] < few or chance[piece])
                 piecemeal |= host.seen >= SHARE
                 if host.number < len(surfaces):
-                    fits = piecemeal and host.far <= OFF * host.extent
+                    # Vertices are on an exact surface, but for those of edges.
+                    fits = piecemeal and host.far <= OFF * host.extent and not exact[host.number]
                     near = host.far <= EDGES * mesh.diagonal
                     fits |= near and (host.only >= ALONE or host.smooth >= SHARE)
                 else:

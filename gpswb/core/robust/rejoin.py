@@ -72,8 +72,11 @@ class _OneSurface:
         facets = np.concatenate([one.facets, other.facets])
         larger, smaller = (one, other) if len(one.facets) >= len(other.facets) else (other, one)
         if is_exact(self._mesh, larger):
+            # The vertices of their border lie on both, whatever they are.
+            triangles = self._mesh.triangles
+            own = np.setdiff1d(triangles[smaller.facets], triangles[larger.facets])
             union = Grown(one.kind, larger.surface, facets)
-            off = stand_off(union, vertices_of(self._mesh, smaller.facets))
+            off = stand_off(union, self._mesh.vertices[own]) if len(own) else 0.0
         else:
             union = Grown(one.kind, fit_facets(self._mesh, one.kind, facets), facets)
             off = stand_off(union, vertices_of(self._mesh, facets))
