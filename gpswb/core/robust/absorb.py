@@ -9,7 +9,7 @@ import numpy as np
 
 from gpswb.core.initial import InitialPartition
 from gpswb.core.mesh import BoolArray, IntArray, Mesh
-from gpswb.core.robust.evidence import CHANCE, EXACT, sagitta
+from gpswb.core.robust.evidence import CHANCE, EXACT, inner_vertices, sagitta
 from gpswb.core.robust.growth import Grown, stand_off, vertices_of
 from gpswb.core.robust.hosts import hosts_of, sides_that_go_on
 from gpswb.core.robust.leftover import classes_of
@@ -73,7 +73,9 @@ def absorb_pieces(
     for i, g in enumerate(surfaces):
         bend, off = sagitta(mesh, g), stand_off(g, vertices_of(mesh, g.facets))
         exact[i] = g.kind != "plane" and bend >= EXACT * off
-        kept[i] |= g.kind == "plane" or (exact[i] and len(g.facets) >= few)
+        # A strip between two arcs about one axis lies on a cone, whatever it is of.
+        strip = g.kind == "cone" and not len(inner_vertices(mesh, graph, g.facets))
+        kept[i] |= g.kind == "plane" or (exact[i] and len(g.facets) >= few and not strip)
         chance[i] = bend < CHANCE * off
     goes_on = sides_that_go_on(mesh, graph, label)
     for _ in range(ROUNDS):

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from gpswb.core.mesh import FloatArray, Mesh
+from gpswb.core.mesh import FloatArray, IntArray, Mesh
 from gpswb.core.robust.growth import SPARE, Grown, stand_off, vertices_of
 from gpswb.core.robust.surfaces import UNKNOWNS, Kind, distance
 from gpswb.core.robust.topology import SMOOTH, FacetGraph
@@ -119,18 +119,23 @@ def holds_inside(mesh: Mesh, graph: FacetGraph, grown: Grown, tolerance: float) 
     limit = INSIDE * mesh.diagonal
     if tolerance <= limit:
         return True
-    within = np.zeros(len(mesh.triangles), dtype=bool)
-    within[grown.facets] = True
-    neighbour = graph.neighbour[grown.facets]
-    row, side = np.nonzero((neighbour < 0) | ~within[np.maximum(neighbour, 0)])
-    triangles = mesh.triangles[grown.facets]
-    rim = np.concatenate([triangles[row, side], triangles[row, (side + 1) % 3]])
-    inner = np.setdiff1d(triangles, rim)
+    inner = inner_vertices(mesh, graph, grown.facets)
     if len(inner) < UNKNOWNS[grown.kind] + SPARE:
         return True
     d, _ = distance(grown.kind, grown.surface[None], mesh.vertices[inner][None])
     off = float(np.quantile(np.abs(d), MOST))
     return off <= limit and sagitta(mesh, grown) >= CHANCE * off
+
+
+def inner_vertices(mesh: Mesh, graph: FacetGraph, facets: IntArray) -> IntArray:
+    """(n,) vertices of facets that aren't on their rim."""
+    within = np.zeros(len(mesh.triangles), dtype=bool)
+    within[facets] = True
+    neighbour = graph.neighbour[facets]
+    row, side = np.nonzero((neighbour < 0) | ~within[np.maximum(neighbour, 0)])
+    triangles = mesh.triangles[facets]
+    rim = np.concatenate([triangles[row, side], triangles[row, (side + 1) % 3]])
+    return np.setdiff1d(triangles, rim)
 
 
 def drifts(mesh: Mesh, graph: FacetGraph, grown: Grown, tolerance: float) -> bool:
