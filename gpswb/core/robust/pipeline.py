@@ -20,8 +20,8 @@ from gpswb.core.region_samples import confined_normals, region_samples
 from gpswb.core.robust.absorb import absorb_pieces
 from gpswb.core.robust.decide import by_gap, unless_far_better
 from gpswb.core.robust.describe import describe_surface
-from gpswb.core.robust.evidence import CHANCE, EXACT, INSIDE, is_exact, sagitta
-from gpswb.core.robust.growth import Grown, fit_facets, regions_of, stand_off
+from gpswb.core.robust.evidence import CHANCE, EXACT, INSIDE, sagitta
+from gpswb.core.robust.growth import Grown, fit_facets, regions_of, stand_off, vertices_of
 from gpswb.core.robust.leftover import label_leftover
 from gpswb.core.robust.one_face import join_faces
 from gpswb.core.robust.polygons import certain_planes, coplanar_polygons
@@ -106,7 +106,7 @@ def _nominal_regions(
     sure = certain[polygon]
     label = absorb_pieces(mesh, graph, first, label, surfaces, sure, sigma, tolerances)
     surfaces, label = _rejoined(mesh, graph, surfaces, label)
-    known = {i: CLASS_OF[g.kind] for i, g in enumerate(surfaces) if is_exact(mesh, g)}
+    known = {i: CLASS_OF[g.kind] for i, g in enumerate(surfaces) if _is_settled(mesh, g)}
     label = join_faces(mesh, graph, first, label, known, sure | flat, sigma, tolerances)
     return surfaces, label, flat
 
@@ -121,6 +121,15 @@ def _rejoined(
     for i, g in enumerate(found):
         out[g.facets] = i
     return found, out
+
+
+def _is_settled(mesh: Mesh, grown: Grown) -> bool:
+    """Whether the kind of a region's surface is beyond doubt: a narrow band of anything lies nearly
+    on a torus or cone, but hardly on a cylinder."""
+    if grown.kind == "plane":
+        return True
+    off = stand_off(grown, vertices_of(mesh, grown.facets))
+    return sagitta(mesh, grown) >= (CHANCE if grown.kind == "cylinder" else EXACT) * off
 
 
 def _recognise(
@@ -150,9 +159,7 @@ def _recognise(
             continue
         name = CLASS_OF[grown.kind]
         off = stand_off(grown, sample.vertices)
-        # A narrow band of anything lies nearly on a torus or cone, but hardly on a cylinder.
-        doubt = CHANCE if grown.kind == "cylinder" else EXACT
-        if sigma == 0.0 and grown.kind != "plane" and sagitta(mesh, grown) < doubt * off:
+        if sigma == 0.0 and not _is_settled(mesh, grown):
             choose = unless_far_better(name, off, sample.vertices)
             found = recognise(r, sample, merged, sigma, tolerances, choose=choose)
             if found.invariance_class != name:
