@@ -79,6 +79,21 @@ def test_an_exact_cylinder_takes_only_what_lies_on_it(ramp: float, count: int) -
     assert len(rejoin(mesh, FacetGraph.of(mesh), found, 1e-9)) == count
 
 
+def test_mitred_cylinders_stay_two_though_half_their_vertices_are_common() -> None:
+    # R10 about x and about y, that meet in the plane x = y: strips without inner vertices.
+    def surface(u: FloatArray, v: FloatArray) -> FloatArray:
+        angle = np.pi / 2.0 * (1.0 - 0.15 * u)
+        c, s = 10.0 * np.cos(angle), 10.0 * np.sin(angle)
+        return np.column_stack([np.where(v < 0.25, -20.0, c), np.where(v > 0.75, -20.0, c), s])
+
+    mesh = sheet(surface, 30, 2)
+    first = mesh.centroids[:, 0] < mesh.centroids[:, 1]
+    sides = [np.flatnonzero(first), np.flatnonzero(~first)]
+    found = [Grown("cylinder", fit_facets(mesh, "cylinder", facets), facets) for facets in sides]
+    assert FacetGraph.of(mesh).smooth.all()
+    assert len(rejoin(mesh, FacetGraph.of(mesh), found, 1e-9)) == 2
+
+
 @pytest.mark.parametrize(("rim", "inside", "held"), [(5e-3, 0.0, True), (0.0, 5e-3, False)])
 def test_only_vertices_of_edges_may_be_off_by_more(rim: float, inside: float, held: bool) -> None:
     rng = np.random.default_rng(2)

@@ -29,7 +29,6 @@ MOST_RINGS = 16
 SAMPLE = 1500
 """Vertices used to fit a grown region: more don't make exact data more exact."""
 
-
 SPARE = 8
 """Points beyond a surface's unknowns that show how far the others stand off it, at least."""
 

@@ -40,7 +40,7 @@ def join_faces(
         graph: its adjacency.
         first: the first step's result.
         label: (m,) region of each facet, -1 for none.
-        known: class of the labels whose surface is known exactly.
+        known: class of the labels whose surface leaves no doubt of it.
         sure: (m,) facets that stay what they are: those of certain planes.
         sigma: noise of the vertices, mm.
         tolerances: thresholds of recognition.

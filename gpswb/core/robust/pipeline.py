@@ -51,8 +51,8 @@ def partition_robust(
 
     Args:
         mesh: the mesh.
-        sigma: noise of the vertices, mm; 0 for a nominal mesh. Where it exceeds the tolerances,
-            statistical tests take their place.
+        sigma: noise of the vertices, mm; 0 for a nominal mesh. Where it exceeds what vertices
+            inside a face may be off, statistical tests take the place of tolerances.
         tolerances: thresholds of the steps shared with mode `corrected`.
         progress: listener.
     """
