@@ -97,30 +97,32 @@ def estimate_curvature(
             ball of about sqrt(k) edge lengths that stops at creases. Facets then have the mean of
             their corners.
     """
-    m = len(mesh.triangles)
     columns = np.ascontiguousarray(normals.T)
-    facet_mean, facet_difference = np.empty(m), np.empty(m)
-    even_at, odd_at = np.empty((m, 3)), np.empty((m, 3))
-    for part in blocks(m):
-        corner = mesh.columns.take(mesh.triangles[part].T, axis=1)
-        normal = np.ascontiguousarray(mesh.facet_normals[part].T)
-        target = columns.take(wedges.of_corner[part].T, axis=1)
+    bent = mesh.bent_facets
+    bent_mean, bent_difference = np.empty(len(bent)), np.empty(len(bent))
+    mean_at, even_at, odd_at = (np.empty((len(bent), 3)) for _ in range(3))
+    for part in blocks(len(bent)):
+        facets = bent[part]
+        corner = mesh.columns.take(mesh.triangles[facets].T, axis=1)
+        normal = np.ascontiguousarray(mesh.facet_normals[facets].T)
+        target = columns.take(wedges.of_corner[facets].T, axis=1)
         side, mean, even, odd = facet_curvature(corner, target, normal)
-        facet_mean[part], facet_difference[part] = mean, np.hypot(even, odd)
+        bent_mean[part], bent_difference[part] = mean, np.hypot(even, odd)
         cos, sin = turned_direction(side[:, None], normal[:, None], target)
         # A tensor turns by twice the angle.
         cos, sin = cos * cos - sin * sin, 2.0 * cos * sin
-        even_at[part] = (mesh.areas[part] * (even * cos - odd * sin)).T
-        odd_at[part] = (mesh.areas[part] * (even * sin + odd * cos)).T
-    share = np.empty((m, 3))
-    share[:] = mesh.areas[:, None]
-    area = wedges.sum_corners(share)
-    share *= facet_mean[:, None]
+        area = mesh.areas[facets]
+        mean_at[part] = (area * mean)[:, None]
+        even_at[part] = (area * (even * cos - odd * sin)).T
+        odd_at[part] = (area * (even * sin + odd * cos)).T
+    facet_mean, facet_difference = np.zeros(len(mesh.areas)), np.zeros(len(mesh.areas))
+    facet_mean[bent], facet_difference[bent] = bent_mean, bent_difference
+    area = wedges.sum_corners(np.repeat(mesh.areas, 3))
     divisor = np.where(area > 0.0, area, np.inf)
-    mean = wedges.sum_corners(share) / divisor
+    mean = wedges.sum_corners(mean_at, bent) / divisor
     difference = np.empty(wedges.count, dtype=np.complex128)
-    difference.real = wedges.sum_corners(even_at) / divisor
-    difference.imag = wedges.sum_corners(odd_at) / divisor
+    difference.real = wedges.sum_corners(even_at, bent) / divisor
+    difference.imag = wedges.sum_corners(odd_at, bent) / divisor
     found = Curvature(normals, mean, difference, facet_mean, facet_difference)
     return _averaged(found, mesh, wedges, area, sweeps) if sweeps else found
 

@@ -18,12 +18,17 @@ def edges_of_sides(mesh: Mesh) -> IntArray:
     return edge_of
 
 
-def sides_across(mesh: Mesh) -> IntArray:
-    """(3 m,) half-edge of the neighbouring facet on the same edge; -1 where there is none."""
-    across = np.full(3 * len(mesh.triangles), -1, dtype=np.int64)
-    first, second = mesh.half_edge_pairs.T
-    across[first], across[second] = second, first
-    return across
+def sides_across(mesh: Mesh, sides: IntArray, edge_of: IntArray) -> IntArray:
+    """(k,) half-edge of the neighbouring facet on the same edge; -1 where there is none.
+
+    Args:
+        mesh: the mesh.
+        sides: (k,) half-edges.
+        edge_of: (3 m,) see `edges_of_sides`.
+    """
+    edge = edge_of[sides]
+    first, second = mesh.half_edge_pairs[edge].T
+    return np.where(edge >= 0, first + second - sides, -1)
 
 
 def edge_lengths(mesh: Mesh, edges: IntArray | slice = slice(None)) -> FloatArray:

@@ -9,8 +9,9 @@ from functools import cached_property
 import numpy as np
 import numpy.typing as npt
 
+from gpswb.core.bent_facets import bent_facets
 from gpswb.core.facet_geometry import areas_and_normals, centroids, turning_angles
-from gpswb.core.half_edges import next_in_facet, paired_half_edges
+from gpswb.core.half_edges import interior_edges
 
 FloatArray = npt.NDArray[np.float64]
 IntArray = npt.NDArray[np.int64]
@@ -97,9 +98,18 @@ class Mesh:
         return float(np.linalg.norm(np.ptp(self.vertices, axis=0)))
 
     @cached_property
+    def _interior_edges(self) -> tuple[IntArray, IntArray]:
+        return interior_edges(self.triangles, len(self.vertices))
+
+    @property
     def half_edge_pairs(self) -> IntArray:
-        """(e, 2) half-edges of each manifold interior edge, see `paired_half_edges`."""
-        return paired_half_edges(self.triangles, len(self.vertices))
+        """(e, 2) half-edges of each manifold interior edge, the lower first."""
+        return self._interior_edges[0]
+
+    @property
+    def pair_edges(self) -> IntArray:
+        """(e, 2) vertices of the edge shared by each row of ``facet_pairs``, lower first."""
+        return self._interior_edges[1]
 
     @cached_property
     def facet_pairs(self) -> IntArray:
@@ -108,14 +118,13 @@ class Mesh:
         return pairs
 
     @cached_property
-    def pair_edges(self) -> IntArray:
-        """(e, 2) vertices of the edge shared by each row of ``facet_pairs``, lower first."""
-        half = self.half_edge_pairs[:, 0]
-        start, end = self.triangles.ravel()[half], self.triangles.ravel()[next_in_facet(half)]
-        return np.column_stack([np.minimum(start, end), np.maximum(start, end)])
-
-    @cached_property
     def turning(self) -> FloatArray:
         """(e,) angle in [0, pi], rad, between the normals of the two facets at each row of
         ``facet_pairs``; 0 beside a degenerate facet."""
         return turning_angles(self.facet_normals, self.facet_pairs)
+
+    @cached_property
+    def bent_facets(self) -> IntArray:
+        """(k,) facets that don't lie in one plane with all the facets around them, ascending: only
+        these can be curved."""
+        return bent_facets(self)

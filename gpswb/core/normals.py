@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import numpy as np
+from scipy.sparse import csc_matrix
 
 from gpswb.core.blocks import blocks
 from gpswb.core.facet_geometry import dot
@@ -25,10 +26,13 @@ def wedge_normals(mesh: Mesh, wedges: Wedges) -> FloatArray:
     Returns:
         (w, 3) float64 unit vectors; zero for a wedge of degenerate facets only.
     """
-    weight = _max_weights(mesh)
-    normals = np.empty((wedges.count, 3))
-    for axis in range(3):
-        normals[:, axis] = wedges.sum_corners(weight * mesh.facet_normals[:, axis, None])
+    weight = _max_weights(mesh).ravel()
+    # A column for each facet, with its three corners: one pass for all axes.
+    corners = np.arange(0, len(weight) + 1, 3)
+    shape = (wedges.count, len(mesh.triangles))
+    normals: FloatArray = (
+        csc_matrix((weight, wedges.of_corner.ravel(), corners), shape) @ mesh.facet_normals
+    )
     length = np.sqrt(dot(normals.T, normals.T))
     length[length == 0.0] = np.inf
     normals /= length[:, None]
@@ -36,14 +40,16 @@ def wedge_normals(mesh: Mesh, wedges: Wedges) -> FloatArray:
 
 
 def _max_weights(mesh: Mesh) -> FloatArray:
-    """(m, 3) sin(angle) / (|a| |b|) = 2 area / (|a|^2 |b|^2) at each corner, 0 without area."""
-    weight = np.empty((len(mesh.triangles), 3))
-    for part in blocks(len(weight)):
-        corner = mesh.columns.take(mesh.triangles[part].T, axis=1)
+    """(m, 3) sin(angle) / (|a| |b|) = 2 area / (|a|^2 |b|^2) at each corner, 0 without area; 1 in a
+    plane, where weights make no difference."""
+    weight = np.ones((len(mesh.triangles), 3))
+    for part in blocks(len(mesh.bent_facets)):
+        facets = mesh.bent_facets[part]
+        corner = mesh.columns.take(mesh.triangles[facets].T, axis=1)
         side = corner[:, [1, 2, 0]] - corner
         squared = dot(side, side)
         # Corner k lies between the side that begins there and the one before.
         product = squared * squared[[2, 0, 1]]
         product[product == 0.0] = np.inf
-        weight[part] = (2.0 * mesh.areas[part] / product).T
+        weight[facets] = (2.0 * mesh.areas[facets] / product).T
     return weight

@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 import numpy as np
 
 from gpswb.core.blocks import blocks
@@ -53,63 +55,102 @@ def feature_edges(mesh: Mesh, tolerances: Tolerances | None = None) -> BoolArray
     doubtful = np.flatnonzero((angle > tol.never_sharp) & ~sharp)
     if not len(doubtful):
         return sharp
-    rate = np.where(sharp, 0.0, angle) * edge_lengths(mesh)
-    rate /= np.maximum(2.0 * mesh.areas[mesh.facet_pairs].min(axis=1), 1e-300)
-    edge_of, across = edges_of_sides(mesh), sides_across(mesh)
+    edge_of = edges_of_sides(mesh)
+    far = np.empty((2, 2, len(doubtful)), dtype=np.int64)
+    for part in blocks(len(doubtful)):
+        far[..., part] = _edges_beyond(mesh, doubtful[part], edge_of)
+    rate = _rates_of_turning(mesh, far, np.where(sharp, 0.0, angle))
     for part in blocks(len(doubtful)):
         edges = doubtful[part]
-        expected = _expected_turning(mesh, edges, angle, rate, edge_of, across)
+        expected = _turning_of_chords(mesh, edges, rate[far[..., part]].max(axis=1))
+        # Most edges turn no further than the surface beside them, whatever else is around.
+        left = angle[edges] > tol.sharp_factor * expected + tol.never_sharp
+        edges, expected = edges[left], expected[left]
+        expected += _roughness(mesh, edges, angle, edge_of)
         sharp[edges] = angle[edges] > tol.sharp_factor * expected + tol.never_sharp
     return sharp
 
 
-def _expected_turning(
-    mesh: Mesh,
-    edges: IntArray,
-    angle: FloatArray,
-    rate: FloatArray,
-    edge_of: IntArray,
-    across: IntArray,
-) -> FloatArray:
-    """(d,) rad by which a smooth surface would turn at some edges.
+def _edges_beyond(mesh: Mesh, edges: IntArray, edge_of: IntArray) -> IntArray:
+    """Edges that share no vertex with an edge, of the facets around its two facets.
 
     Args:
         mesh: the mesh.
         edges: (d,) the edges.
-        angle: (e,) turning angle of every edge; ``rate`` (e,) over the lesser height beside it,
-            1/mm, 0 where the edge is sharp whatever surrounds it.
-        edge_of, across: (3 m,) see `edges_of_sides` and `sides_across`.
+        edge_of: (3 m,) see `edges_of_sides`.
+
+    Returns:
+        (2, 2, d): beyond either side of either facet; -1 where there is none.
     """
     vertex = mesh.triangles.ravel()
-    ends = mesh.pair_edges[edges].T
-    length = edge_lengths(mesh, edges)
-    expected = np.zeros(len(edges))
-    nearby = np.full((12, len(edges)), np.nan)
-    column = 0
-    for side in (0, 1):
-        half = mesh.half_edge_pairs[edges, side]
-        opposite = mesh.facet_pairs[edges, 1 - side]
+    start, end = mesh.pair_edges[edges].T
+    found = np.empty((2, 2, len(edges)), dtype=np.int64)
+    for side, (half, opposite) in enumerate(_either_side(mesh, edges)):
         after = next_in_facet(half)
-        largest = np.zeros(len(edges))
         # The other two sides of the facet, each with the edge's end that it begins or ends at.
-        for own, shared in ((after, vertex[after]), (next_in_facet(after), vertex[half])):
-            beyond = across[own]
-            there = (beyond >= 0) & (beyond // 3 != opposite)
+        for k, (own, shared) in enumerate(
+            ((after, vertex[after]), (next_in_facet(after), vertex[half]))
+        ):
+            beyond = sides_across(mesh, own, edge_of)
             following = next_in_facet(beyond)
             last = next_in_facet(following)
-            for candidate in (edge_of[own], edge_of[following], edge_of[last]):
-                usable = there & (candidate >= 0) & (candidate != edges)
-                nearby[column] = np.where(usable, angle[candidate], np.nan)
-                column += 1
             # Of the facet beyond, one edge shares no vertex with the edge, as a rule.
             far = edge_of[np.where(vertex[beyond] == shared, following, last)]
             apex = vertex[last]
-            usable = there & (far >= 0) & (apex != ends[0]) & (apex != ends[1])
-            np.maximum(largest, np.where(usable, rate[far], 0.0), out=largest)
-        height = 2.0 * mesh.areas[half // 3] / np.maximum(length, 1e-300)
-        expected += 0.5 * height * largest
-    # Most edges around a crease are none: their median is how rough the surface is.
-    return expected + np.nan_to_num(_row_medians(nearby.T))
+            usable = (beyond >= 0) & (beyond // 3 != opposite) & (apex != start) & (apex != end)
+            found[side, k] = np.where(usable, far, -1)
+    return found
+
+
+def _rates_of_turning(mesh: Mesh, edges: IntArray, angle: FloatArray) -> FloatArray:
+    """(e + 1,) angle of some edges over the lesser height beside each, 1/mm; 0 elsewhere and last.
+
+    Args:
+        mesh: the mesh.
+        edges: the edges, of any shape; -1 for none.
+        angle: (e,) rad.
+    """
+    asked = np.zeros(len(angle) + 1, dtype=bool)
+    asked[edges] = True
+    chosen = np.flatnonzero(asked[:-1])
+    least = 2.0 * mesh.areas[mesh.facet_pairs[chosen]].min(axis=1)
+    rate = np.zeros(len(asked))
+    rate[chosen] = angle[chosen] * edge_lengths(mesh, chosen) / np.maximum(least, 1e-300)
+    return rate
+
+
+def _turning_of_chords(mesh: Mesh, edges: IntArray, rate: FloatArray) -> FloatArray:
+    """(d,) rad by which the chords on either side of some edges (d,) would turn, where the surface
+    turns at a rate (2, d), 1/mm."""
+    facets = mesh.facet_pairs[edges].T
+    height = 2.0 * mesh.areas[facets] / np.maximum(edge_lengths(mesh, edges), 1e-300)
+    turning: FloatArray = (0.5 * height * rate).sum(axis=0)
+    return turning
+
+
+def _roughness(mesh: Mesh, edges: IntArray, angle: FloatArray, edge_of: IntArray) -> FloatArray:
+    """(d,) rad by which the edges around some edges (d,) turn: their median, as most edges around
+    a crease are none; 0 where there are none."""
+    nearby = np.full((12, len(edges)), np.nan)
+    column = 0
+    for half, opposite in _either_side(mesh, edges):
+        after = next_in_facet(half)
+        for own in (after, next_in_facet(after)):
+            beyond = sides_across(mesh, own, edge_of)
+            there = (beyond >= 0) & (beyond // 3 != opposite)
+            following = next_in_facet(beyond)
+            for side in (own, following, next_in_facet(following)):
+                candidate = edge_of[side]
+                usable = there & (candidate >= 0) & (candidate != edges)
+                nearby[column] = np.where(usable, angle[candidate], np.nan)
+                column += 1
+    return np.nan_to_num(_row_medians(nearby.T))
+
+
+def _either_side(mesh: Mesh, edges: IntArray) -> Iterator[tuple[IntArray, IntArray]]:
+    """Half-edges (d,) of some edges (d,) in one of their facets, and the other facets (d,)."""
+    for side in (0, 1):
+        yield mesh.half_edge_pairs[edges, side], mesh.facet_pairs[edges, 1 - side]
 
 
 def _row_medians(values: FloatArray) -> FloatArray:

@@ -15,7 +15,7 @@ import numpy as np
 from scipy.sparse import coo_matrix
 from scipy.sparse.csgraph import connected_components
 
-from gpswb.core.half_edges import next_in_facet
+from gpswb.core.half_edges import next_in_facet, single_sides
 from gpswb.core.mesh import BoolArray, FloatArray, IntArray, Mesh
 
 
@@ -36,9 +36,9 @@ class Wedges:
         """Number of wedges w."""
         return len(self.vertex)
 
-    def sum_corners(self, values: FloatArray) -> FloatArray:
-        """Sum corner values (m, 3) over each wedge: (w,)."""
-        total = np.bincount(self.of_corner.ravel(), values.ravel(), self.count)
+    def sum_corners(self, values: FloatArray, facets: IntArray | slice = slice(None)) -> FloatArray:
+        """Sum corner values (m, 3), or (k, 3) of some facets, over each wedge: (w,)."""
+        total = np.bincount(self.of_corner[facets].ravel(), values.ravel(), self.count)
         return total.astype(np.float64, copy=False)
 
 
@@ -60,7 +60,8 @@ def find_wedges(mesh: Mesh, crease: BoolArray | None = None) -> Wedges:
     corner = np.flatnonzero(divided[corner_vertex])
     number = np.full(3 * len(mesh.triangles), -1, dtype=np.int64)
     number[corner] = np.arange(len(corner))
-    near = np.flatnonzero(divided[mesh.pair_edges].any(axis=1) & ~crease)
+    start, end = divided.take(mesh.pair_edges.T)
+    near = np.flatnonzero((start | end) & ~crease)
     row, col = _joined_corners(mesh, near)
     kept = (number[row] >= 0) & (number[col] >= 0)
     row, col = number[row[kept]], number[col[kept]]
@@ -82,9 +83,7 @@ def _divided_vertices(mesh: Mesh, crease: BoolArray) -> BoolArray:
     wedges."""
     divided = np.zeros(len(mesh.vertices), dtype=bool)
     divided[mesh.pair_edges[crease]] = True
-    single = np.ones(3 * len(mesh.triangles), dtype=bool)
-    single[mesh.half_edge_pairs] = False
-    half = np.flatnonzero(single)
+    half = single_sides(mesh)
     for end in (half, next_in_facet(half)):
         divided[mesh.triangles.ravel()[end]] = True
     return divided
