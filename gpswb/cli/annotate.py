@@ -123,8 +123,9 @@ def _work(args: argparse.Namespace, draft: Path) -> tuple[list[str], list[str]]:
     with stage_bar() as progress:
         outcome = examine(args.input, settings, progress)
     table = features_of(outcome)
-    annotation = annotate(table, args.datums, rows, args.system)
     present, note = read_present(args.input, outcome.solid)
+    taken = {datum.letter for datum in present.datums} if present else set()
+    annotation = annotate(table, args.datums, rows, args.system, taken)
     if note:
         outcome = replace(outcome, solid=replace(outcome.solid, notes=(*outcome.solid.notes, note)))
     remarks = review(present, table) if present else ()

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -14,7 +14,7 @@ from gpswb.gps.gps_feature import GpsFeature
 from gpswb.gps.on_faces import chosen_features
 from gpswb.gps.specifications import Specification, permitted_specifications
 from gpswb.gps.specified import Letters, SpecificationRow, Specified, specify
-from gpswb.gps.suggest_datums import Suggestion, suggest_datums
+from gpswb.gps.suggest_datums import LETTERS, Suggestion, suggest_datums
 from gpswb.sentence import Sentence
 
 
@@ -51,6 +51,7 @@ def annotate(
     datums: Sequence[tuple[str, str]] = (),
     rows: Sequence[SpecificationRow] = (),
     notation: str = "",
+    taken: Collection[str] = (),
 ) -> Annotation:
     """Annotate a part.
 
@@ -59,6 +60,7 @@ def annotate(
         datums: letter and choice (``Face5+Face6``, ``Hole 1``) in order of precedence.
         rows: the user's specifications.
         notation: the datum system of these datums, as ``A|B-C``; each letter in turn if not given.
+        taken: letters of datums that the part has already; suggestions use others.
 
     Raises:
         InputError: a choice or a row doesn't fit the part.
@@ -73,7 +75,8 @@ def annotate(
             raise InputError(
                 Sentence("datum {letter}: {why}", letter=letter, why=str(error))
             ) from None
-    suggestions = suggest_datums(table.features, table.frame)
+    free = [letter for letter in LETTERS if letter not in taken]
+    suggestions = suggest_datums(table.features, table.frame, letters=free)
     system = suggestions[0].system if suggestions else None
     if datums:
         own: Sequence[Datum] = [Datum(letter, features) for letter, features in letters.items()]

@@ -13,7 +13,10 @@ from gpswb.gps.gps_feature import GpsFeature
 from gpswb.gps.tolerances import DEFAULT, Tolerances
 from gpswb.gps.twists import Frame
 
-_LETTERS = "ABCDEF"
+_ALPHABET = "ABCDEFGHJKLMNPRSTUVWYZ"
+LETTERS = (*_ALPHABET, *(2 * letter for letter in _ALPHABET))
+"""Names of datums in their order: without I, O, Q, X, and doubled when they run out (ISO 5459)."""
+
 _OBLIQUE = 0.2
 """A slope is a poor datum beside one that stands square, unless it is five times as large."""
 
@@ -35,7 +38,10 @@ class Suggestion:
 
 
 def suggest_datums(
-    features: Sequence[GpsFeature], frame: Frame, tolerances: Tolerances = DEFAULT
+    features: Sequence[GpsFeature],
+    frame: Frame,
+    tolerances: Tolerances = DEFAULT,
+    letters: Sequence[str] = LETTERS,
 ) -> tuple[Suggestion, ...]:
     """The best complete datum system and, where there is one, the runner-up.
 
@@ -49,6 +55,7 @@ def suggest_datums(
     Args:
         features: integral features and compounds of the part.
         frame: of the part.
+        letters: names for the datums, at least six.
 
     Returns:
         None, one or two suggestions; the runner-up doesn't use the first one's primary datum, or if
@@ -64,11 +71,11 @@ def suggest_datums(
     body = max(areas, key=lambda number: areas[number])
     candidates = [f for f in candidates if f.body == body]
     needed = needed_degrees(candidates, frame, tolerances)
-    best = _greedy(candidates, needed, frame, tolerances)
+    best = _greedy(candidates, needed, frame, tolerances, letters)
     suggestions = [Suggestion(best, needed)]
     for datum in best.datums:
         others = [f for f in candidates if f is not datum.features[0]]
-        second = Suggestion(_greedy(others, needed, frame, tolerances), needed)
+        second = Suggestion(_greedy(others, needed, frame, tolerances, letters), needed)
         if second.complete:
             suggestions.append(second)
             break
@@ -76,7 +83,11 @@ def suggest_datums(
 
 
 def _greedy(
-    candidates: Sequence[GpsFeature], needed: int, frame: Frame, tolerances: Tolerances
+    candidates: Sequence[GpsFeature],
+    needed: int,
+    frame: Frame,
+    tolerances: Tolerances,
+    letters: Sequence[str],
 ) -> DatumSystem:
     by_worth = sorted(candidates, key=lambda f: -f.area * _fitness(f))
     system = datum_system((), frame, tolerances)
@@ -86,7 +97,7 @@ def _greedy(
             worth = feature.area * _fitness(feature)
             if worth * (needed - system.degrees) <= most:
                 break
-            datum = Datum(_LETTERS[len(system.datums)], (feature,))
+            datum = Datum(letters[len(system.datums)], (feature,))
             longer = datum_system((*system.datums, datum), frame, tolerances)
             score = worth * longer.locks[-1].degrees
             if _oblique(feature, system):

@@ -93,8 +93,14 @@ def test_pmi_that_is_in_the_file_is_reviewed(
     specs.write_text(SPECS, encoding="utf-8")
     words = ["--datums", DATUMS, "--specs", specs, "--ap242", "--no-report"]
     assert gpswb("annotate", evil_step, "--out", out, *words).returncode == 0
-    done = gpswb("annotate", out / "ap242.step", "--out", tmp_path / "again", "--no-report")
+    again = ["--out", tmp_path / "again", "--no-report", "--ap242"]
+    done = gpswb("annotate", out / "ap242.step", *again)
     assert (done.returncode, done.stderr) == (0, "")
+    # What is suggested goes beside the datums that are there.
+    assert "3 suggested datums" in done.stdout
+    added = read_text(tmp_path / "again" / "ap242.step")
+    letters = [str(added[number]["DATUM"][-1]) for number in added.of("DATUM")]
+    assert sorted(letters) == ["A", "B", "C", "D", "E", "F"]
     review = json.loads((tmp_path / "again" / "features.json").read_text("utf-8"))["review"]
     found = {row["subject"]: (row["features"], row["class"], row["text"]) for row in review}
     assert found["datum A"] == (["Plane 1"], "planar", "")
