@@ -46,7 +46,6 @@ def run_on_cluster(
     try:
         from distributed import CancelledError, Client, as_completed
         from distributed.client import ClosedClientError
-        from distributed.comm.core import CommClosedError
     except ImportError:
         raise InputError("--scheduler needs the package distributed") from None
     for name in ("distributed", "distributed.client"):  # errors are raised, and told once
@@ -76,7 +75,7 @@ def run_on_cluster(
                     return
                 future = next(ended)
                 end, files = _answer(future)
-            except (CommClosedError, CancelledError, ClosedClientError) as error:
+            except (OSError, CancelledError, ClosedClientError) as error:
                 raise InputError(f"the scheduler at {address} has gone") from error
             job = running.pop(future.key)
             job.directory.mkdir(parents=True)

@@ -11,6 +11,7 @@ import time
 from collections import Counter
 from collections.abc import Iterator
 from pathlib import Path
+from unittest.mock import Mock
 
 import pandas as pd
 import pytest
@@ -121,6 +122,25 @@ def test_a_killed_scheduler_ends_the_run_in_one_line(tmp_path: Path) -> None:
     assert complaint.count("\n") == 1
     here = subprocess.run(words[:-2], capture_output=True, text=True, check=True)
     assert "12 of 12 parts: 12 done" in here.stdout
+
+
+def test_a_scheduler_that_dies_between_two_parts_is_not_taken_for_a_full_disk(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    # Asked anew, it doesn't answer: an OSError like one of writing results.
+    monkeypatch.setattr("gpswb.batch.cluster.PATIENCE", 20)
+    monkeypatch.setattr("distributed.Client.nthreads", unanswered := Mock(side_effect=[{"w": 1}]))
+    root, said = make_blocks(tmp_path, 2), tmp_path / "scheduler.json"
+    jobs = [
+        Job(part.url, part.name, tmp_path / "work" / part.name)
+        for part in find_parts(str(root), (".off",))
+    ]
+    with scheduler_at(said) as (_, address), dask("worker", *joining(said)):
+        runs = run_on_cluster(jobs, SETTINGS, Limits(60, 10**9), False, address)
+        assert next(runs)[1].status == "done"
+        unanswered.side_effect = OSError(f"Timed out trying to connect to {address} after 60 s")
+        with pytest.raises(InputError, match=f"the scheduler at {address} has gone"):
+            next(runs)
 
 
 def test_no_scheduler_and_no_worker_are_said(
