@@ -11,9 +11,9 @@ from gpswb.core.facet_edges import edge_lengths
 from gpswb.core.give_back import give_back
 from gpswb.core.growing import grow_regions
 from gpswb.core.merging import merge_regions
-from gpswb.core.mesh import BoolArray, FloatArray, IntArray, Mesh
+from gpswb.core.mesh import BoolArray, IntArray, Mesh
 from gpswb.core.quadric_moments import quadric_moments
-from gpswb.core.region_samples import confined_normals
+from gpswb.core.region_samples import CornerNormals, confined_normals
 from gpswb.core.slippage import facet_samples, slippage_moments
 from gpswb.core.slippage_rule import MergeLimits, MergeState, SlippageRule
 from gpswb.core.submesh import WORTHWHILE, submesh
@@ -95,7 +95,7 @@ def _merge(
     return region
 
 
-def _state(mesh: Mesh, label: IntArray, count: int, corner_normals: FloatArray) -> MergeState:
+def _state(mesh: Mesh, label: IntArray, count: int, corner_normals: CornerNormals) -> MergeState:
     """Moments of each region in a frame centred in the mesh and scaled by its diagonal."""
     centre = 0.5 * (mesh.vertices.min(axis=0) + mesh.vertices.max(axis=0))
     scale = max(mesh.diagonal, 1e-300)
@@ -108,7 +108,7 @@ def _state(mesh: Mesh, label: IntArray, count: int, corner_normals: FloatArray) 
         # Facets of equal label follow each other, so that a block holds a few labels in a row.
         low, high = int(label[facets[0]]), int(label[facets[-1]]) + 1
         own = np.repeat(label[facets] - low, 3)
-        points, normals, weights = facet_samples(mesh, corner_normals, facets)
+        points, normals, weights = facet_samples(mesh, corner_normals.at(facets), facets)
         weights = weights / scale**2
         points = (points - centre) / scale
         moments = slippage_moments(points, normals, weights, own, high - low)

@@ -58,8 +58,25 @@ class RegionSample:
         )
 
 
-def confined_normals(mesh: Mesh, region: IntArray, crease: BoolArray) -> FloatArray:
-    """Corner normals (m, 3, 3) averaged neither across creases nor across region borders.
+@dataclass(frozen=True, eq=False)
+class CornerNormals:
+    """Normals at corners of facets, each one stored once.
+
+    Args:
+        rows: (k, 3) unit normals.
+        row_of_corner: (m, 3) which of them each corner has.
+    """
+
+    rows: FloatArray
+    row_of_corner: IntArray
+
+    def at(self, facets: IntArray) -> FloatArray:
+        """(f, 3, 3) normals at the corners of some facets (f,)."""
+        return self.rows.take(self.row_of_corner[facets], axis=0)
+
+
+def confined_normals(mesh: Mesh, region: IntArray, crease: BoolArray) -> CornerNormals:
+    """Corner normals averaged neither across creases nor across region borders.
 
     Where a vertex has no normal, at the apex of a cone, say, its corners have their facets' own.
 
@@ -71,24 +88,29 @@ def confined_normals(mesh: Mesh, region: IntArray, crease: BoolArray) -> FloatAr
     facets = np.flatnonzero(region >= 0)
     if len(facets) < WORTHWHILE * len(region):
         alone, crease = submesh(mesh, facets, crease)
-        all_normals = np.zeros((len(region), 3, 3))
-        all_normals[facets] = confined_normals(alone, region[facets], crease)
-        return all_normals
+        found = confined_normals(alone, region[facets], crease)
+        row_of_corner = np.zeros((len(region), 3), dtype=np.int64)
+        row_of_corner[facets] = found.row_of_corner
+        return CornerNormals(found.rows, row_of_corner)
     first, second = region[mesh.facet_pairs.T]
     barrier = crease | (first != second)
     wedges = find_wedges(mesh, barrier)
     normals = wedge_normals(mesh, wedges)
     turning = _largest_turning(mesh, barrier)
-    confined = np.empty((len(region), 3, 3))
+    singular = np.empty((len(region), 3), dtype=bool)
     for part in blocks(len(region)):
         corner = normals.take(wedges.of_corner[part], axis=0)
         facet = mesh.facet_normals[part, None]
         # At an apex the mean of all sides points along the axis, far off each of them.
         cosine = dot(np.moveaxis(corner, 2, 0), np.moveaxis(facet, 2, 0))
         limit = np.minimum(_SINGULAR * turning[part] + _ROUNDING, np.pi)
-        singular = cosine < np.cos(limit)[:, None]
-        confined[part] = np.where(singular[:, :, None], facet, corner)
-    return confined
+        singular[part] = cosine < np.cos(limit)[:, None]
+    lone, k = np.nonzero(singular)
+    if not len(lone):
+        return CornerNormals(normals, wedges.of_corner)
+    row_of_corner = wedges.of_corner.copy()
+    row_of_corner[lone, k] = len(normals) + np.arange(len(lone))
+    return CornerNormals(np.concatenate([normals, mesh.facet_normals[lone]]), row_of_corner)
 
 
 def _largest_turning(mesh: Mesh, barrier: BoolArray) -> FloatArray:
@@ -103,7 +125,7 @@ def _largest_turning(mesh: Mesh, barrier: BoolArray) -> FloatArray:
 
 
 def region_samples(
-    mesh: Mesh, region: IntArray, count: int, corner_normals: FloatArray
+    mesh: Mesh, region: IntArray, count: int, corner_normals: CornerNormals
 ) -> Iterator[RegionSample]:
     """Sample of each region 0..count-1 in order; degenerate facets are left out.
 
@@ -111,7 +133,7 @@ def region_samples(
         mesh: the mesh.
         region: (m,) int, -1 for facets of none.
         count: number of regions.
-        corner_normals: (m, 3, 3), see `confined_normals`.
+        corner_normals: see `confined_normals`.
     """
     usable = (region >= 0) & (mesh.areas > 0.0)
     facets = np.flatnonzero(usable)
@@ -129,7 +151,7 @@ def region_samples(
             facets=inside,
             vertices=mesh.vertices[np.unique(mesh.triangles[inside])],
             points=points,
-            normals=corner_normals[inside].reshape(-1, 3),
+            normals=corner_normals.at(inside).reshape(-1, 3),
             weights=weights,
             area=area,
             size=float(np.sqrt(square)),

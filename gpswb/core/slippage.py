@@ -92,8 +92,8 @@ def facet_samples(
 
     Args:
         mesh: the mesh.
-        corner_normals: (m, 3, 3) unit normals.
-        facets: (k,) the facets sampled; all if not given.
+        corner_normals: (k, 3, 3) unit normals at the corners of the facets sampled.
+        facets: (k,) these facets; all if not given.
 
     Returns:
         Points (3k, 3) mm, unit normals (3k, 3), weights (3k,) mm^2; three rows per facet in order.
@@ -101,7 +101,7 @@ def facet_samples(
     if facets is None:
         facets = np.arange(len(mesh.triangles))
     points = (_QUADRATURE @ mesh.corners_of(facets)).reshape(-1, 3)
-    normals = (_QUADRATURE @ corner_normals[facets]).reshape(-1, 3)
+    normals = (_QUADRATURE @ corner_normals).reshape(-1, 3)
     length = np.sqrt(dot(normals.T, normals.T))[:, None]
     normals = np.divide(normals, length, out=np.zeros_like(normals), where=length > 0)
     return points, normals, np.repeat(mesh.areas[facets] / 3.0, 3)

@@ -45,7 +45,7 @@ def test_normals_of_a_few_facets_are_those_of_the_whole() -> None:
     wall = np.abs(mesh.facet_normals[:, 2]) < 0.5
     region = np.where(wall & (mesh.centroids[:, 0] > 2.0), 0, -1)
     assert 0 < (region == 0).sum() < 0.5 * len(region)
-    found = confined_normals(mesh, region, crease)[region == 0]
+    found = confined_normals(mesh, region, crease).at(np.flatnonzero(region == 0))
     border = crease | (region[mesh.facet_pairs[:, 0]] != region[mesh.facet_pairs[:, 1]])
     wedges = find_wedges(mesh, border)
     whole = wedge_normals(mesh, wedges)[wedges.of_corner][region == 0]
