@@ -33,10 +33,12 @@ def sides_across(mesh: Mesh, sides: IntArray, edge_of: IntArray) -> IntArray:
 
 def edge_lengths(mesh: Mesh, edges: IntArray | slice = slice(None)) -> FloatArray:
     """(e,) lengths of all interior edges, or of some, mm."""
-    ends = mesh.pair_edges[edges]
-    lengths = np.empty(len(ends))
-    for part in blocks(len(ends)):
-        end = mesh.columns.take(ends[part].T, axis=1)
+    # A slice costs nothing; what numbers choose is copied, and so block by block.
+    ends = mesh.pair_edges[edges] if isinstance(edges, slice) else mesh.pair_edges
+    lengths = np.empty(len(ends) if isinstance(edges, slice) else len(edges))
+    for part in blocks(len(lengths)):
+        chosen = ends[part if isinstance(edges, slice) else edges[part]]
+        end = mesh.columns.take(chosen.T, axis=1)
         side = end[:, 1] - end[:, 0]
         lengths[part] = np.sqrt(dot(side, side))
     return lengths

@@ -92,8 +92,8 @@ def confined_normals(mesh: Mesh, region: IntArray, crease: BoolArray) -> CornerN
         row_of_corner = np.zeros((len(region), 3), dtype=np.int64)
         row_of_corner[facets] = found.row_of_corner
         return CornerNormals(found.rows, row_of_corner)
-    first, second = region[mesh.facet_pairs.T]
-    barrier = crease | (first != second)
+    first, second = mesh.facet_pairs.T
+    barrier = crease | (region[first] != region[second])
     wedges = find_wedges(mesh, barrier)
     normals = wedge_normals(mesh, wedges)
     turning = _largest_turning(mesh, barrier)
@@ -162,9 +162,10 @@ def region_samples(
 
 def _interior_turning(mesh: Mesh, region: IntArray, count: int) -> tuple[FloatArray, FloatArray]:
     """RMS turning angle and RMS length of the edges within each region."""
-    first, second = region[mesh.facet_pairs].T
-    inside = np.flatnonzero((first == second) & (first >= 0))
-    label = first[inside]
+    first, second = mesh.facet_pairs.T
+    inside = np.flatnonzero(region[first] == region[second])
+    label = region[first[inside]]
+    inside, label = inside[label >= 0], label[label >= 0]
     number = np.maximum(np.bincount(label, minlength=count), 1)
     squares = [mesh.turning[inside] ** 2, edge_lengths(mesh, inside) ** 2]
     turning, length = (

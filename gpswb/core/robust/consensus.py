@@ -105,10 +105,7 @@ def _descend(
     found: list[Grown] = []
     doubt = np.zeros(len(free))
     least = LEAST
-    area = np.maximum(mesh.areas[graph.pairs], 1e-300)
-    flat = np.abs(graph.pair_dihedral) < CREASE
-    flat &= np.abs(np.log(area[:, 0] / area[:, 1])) < np.log(LIKE)
-    flat &= free[graph.pairs].all(axis=1)
+    flat = _smooth_and_alike(mesh, graph, free)
     links = graph.pairs[flat]
     while True:
         open_ = free & (smooth <= tolerance)
@@ -239,6 +236,14 @@ def _spread(mesh: Mesh, graph: FacetGraph, candidates: BoolArray, spacing: int) 
             front = front[front >= 0]
             covered[front] = True
     return np.array(seeds, dtype=np.int64)
+
+
+def _smooth_and_alike(mesh: Mesh, graph: FacetGraph, free: BoolArray) -> BoolArray:
+    """(e,) pairs of free facets of like areas without a crease between them."""
+    chosen: BoolArray = (np.abs(graph.pair_dihedral) < CREASE) & free[graph.pairs].all(axis=1)
+    first, second = np.maximum(mesh.areas[graph.pairs[chosen].T], 1e-300)
+    chosen[chosen] = np.abs(np.log(first / second)) < np.log(LIKE)
+    return chosen
 
 
 def _passable(graph: FacetGraph, free: BoolArray) -> BoolArray:

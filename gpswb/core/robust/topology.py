@@ -60,8 +60,9 @@ class FacetGraph:
 
     def components(self, joined: BoolArray, m: int) -> IntArray:
         """(m,) component of each facet where ``joined`` (e,) says which pairs hang together."""
-        p = self.pairs[joined]
-        graph = coo_array((np.ones(len(p), dtype=np.int8), (p[:, 0], p[:, 1])), shape=(m, m))
+        # Half the size, and what scipy would copy them to.
+        first, second = self.pairs[joined].astype(np.int32).T
+        graph = coo_array((np.ones(len(first), dtype=np.int8), (first, second)), shape=(m, m))
         label: IntArray = connected_components(graph, directed=False)[1].astype(np.int64)
         return label
 

@@ -42,11 +42,12 @@ def unbroken_parts(
     out = np.zeros(len(asked), dtype=bool)
     if not asked.any():
         return out
-    first, second = part[graph.pairs.T]
-    within = joined & (first == second) & np.append(asked, False)[first]
+    within = joined & (part[graph.pairs[:, 0]] == part[graph.pairs[:, 1]])
+    within &= np.append(asked, False)[part[graph.pairs[:, 0]]]
     edges = np.flatnonzero(within)
-    edges = edges[np.argsort(first[edges], kind="stable")]
-    count = np.bincount(first[edges], minlength=len(asked))
+    of_edge = part[graph.pairs[edges, 0]]
+    edges = edges[np.argsort(of_edge, kind="stable")]
+    count = np.bincount(of_edge, minlength=len(asked))
     taken = np.minimum(np.ceil(HITS * np.sqrt(count)), count).astype(np.int64)
     owner = np.repeat(np.arange(len(asked)), taken)
     slot = np.arange(len(owner)) - np.repeat(np.cumsum(taken) - taken, taken)
