@@ -11,7 +11,7 @@ import numpy as np
 
 from gpswb.core.mesh import IntArray
 from gpswb.core.noisy.border_angle import meet_at_crease
-from gpswb.core.noisy.expansion import OUTSIDE
+from gpswb.core.noisy.expansion import OUTSIDE, border_prices
 from gpswb.core.noisy.freeform import Freeform
 from gpswb.core.noisy.general_surface import LEAST, general_surface, priced
 from gpswb.core.noisy.merging import REGION, facets_of, length_of, smooth_neighbours
@@ -38,12 +38,14 @@ anywhere."""
 
 @dataclass(frozen=True, eq=False)
 class _Piece:
-    """Facets (k,), what they lie on (None for nothing), and what they cost in the best division."""
+    """Facets (k,), what they lie on (None for nothing), what they cost in the best division, and
+    the price of the borders between the regions that they consist of."""
 
     facets: IntArray
     surface: Surface | None
     length: float
     moments: SlippageMoments
+    borders: float = 0.0
     parts: tuple[_Piece, ...] = ()
 
     @property
@@ -78,13 +80,14 @@ def join_regions(
         home[piece.facets] = i
     alive = dict(enumerate(pieces))
     near = _neighbours(noisy, home)
+    price = border_prices(noisy)
     queue: list[tuple[float, int, int, int, _Piece]] = []
 
     def push(a: int, b: int) -> None:
         border = _border(noisy, home, a, b)
         if len(border) < CONTACT or _creased(noisy, alive[a], alive[b], border):
             return
-        union = _joined(noisy, alive[a], alive[b])
+        union = _joined(noisy, alive[a], alive[b], 2.0 * float(price[border].sum()))
         if union is not None:
             gain = alive[a].length + alive[b].length - union.length
             if gain > -TRIAL:
@@ -182,7 +185,7 @@ def _pieces(noisy: NoisyMesh, models: Sequence[Surface], label: IntArray) -> lis
         piece = _Piece(facets, None, length, own)
         one = general_surface(noisy, facets, own, ())
         if one is not None and one.cost + REGION < length:
-            piece = _Piece(facets, one, one.cost + REGION, own, (piece,))
+            piece = _Piece(facets, one, one.cost + REGION, own, 0.0, (piece,))
         pieces.append(piece)
     return pieces
 
@@ -196,8 +199,12 @@ def _neighbours(noisy: NoisyMesh, home: IntArray) -> dict[int, set[int]]:
     return near
 
 
-def _joined(noisy: NoisyMesh, a: _Piece, b: _Piece) -> _Piece | None:
-    """The union of two pieces on one swept or freeform surface."""
+def _joined(noisy: NoisyMesh, a: _Piece, b: _Piece, border: float) -> _Piece | None:
+    """The union of two pieces on one swept or freeform surface.
+
+    Faces meet where they touch or cross, but the borders of a patchwork run anywhere and have to be
+    told: a freeform surface saves their price.
+    """
     if _flat(a) and _flat(b):
         return None
     facets = np.concatenate([a.facets, b.facets])
@@ -210,4 +217,7 @@ def _joined(noisy: NoisyMesh, a: _Piece, b: _Piece) -> _Piece | None:
     length = one.cost + REGION + FLAT * (a.planes + b.planes)
     if one.invariance_class == "revolute":
         length += AXIS * (a.pieces + b.pieces - 1)
-    return _Piece(facets, one, length, moments, (a, b))
+    borders = a.borders + b.borders + border
+    if one.invariance_class == "complex":
+        length -= borders
+    return _Piece(facets, one, length, moments, borders, (a, b))
