@@ -100,7 +100,13 @@ def test_a_freeform_surface_is_smooth_within_the_noise() -> None:
 
 @pytest.mark.parametrize(
     ("name", "mesh"),
-    [("prismatic", extrusion(60, 20)), ("revolute", vase()), ("complex", freeform(40))],
+    [
+        ("prismatic", extrusion(60, 20)),
+        ("revolute", vase()),
+        ("complex", freeform(40)),
+        # Two surfaces describe it for less, unless the border between them is charged for.
+        ("complex", freeform(60)),
+    ],
 )
 @pytest.mark.parametrize("seed", [1, 2])
 def test_a_face_without_simple_surface_is_one_region(name: str, mesh: Mesh, seed: int) -> None:
