@@ -12,6 +12,10 @@ from gpswb.core.blocks import blocks
 if TYPE_CHECKING:
     from gpswb.core.mesh import FloatArray, IntArray
 
+ROUNDING = 8.0 * np.finfo(np.float64).eps
+"""Share of the largest coordinate below which a facet's height is rounding: where an edge of the
+mesh has a vertex in its middle, kernels close it with a facet of three corners in a line."""
+
 
 def areas_and_normals(columns: FloatArray, triangles: IntArray) -> tuple[FloatArray, FloatArray]:
     """Area (m,) of each triangle, and its unit normal (m, 3), zero where there is no area.
@@ -20,13 +24,16 @@ def areas_and_normals(columns: FloatArray, triangles: IntArray) -> tuple[FloatAr
         columns: (3, n) coordinates of the vertices, axis by axis.
         triangles: (m, 3) int64.
     """
+    least = ROUNDING * float(np.abs(columns).max(initial=0.0))
     areas, normals = np.empty(len(triangles)), np.empty((len(triangles), 3))
     for part in blocks(len(triangles)):
         corner = columns.take(triangles[part].T, axis=1)
-        cross = cross_product(corner[:, 1] - corner[:, 0], corner[:, 2] - corner[:, 0])
+        first, second = corner[:, 1] - corner[:, 0], corner[:, 2] - corner[:, 0]
+        cross = cross_product(first, second)
         length = np.sqrt(dot(cross, cross))
-        areas[part] = 0.5 * length
-        length[length == 0.0] = np.inf
+        flat = length <= least * np.sqrt(dot(first, first) + dot(second, second))
+        areas[part] = np.where(flat, 0.0, 0.5 * length)
+        length[flat] = np.inf
         np.divide(cross, length, out=normals[part].T)
     return areas, normals
 

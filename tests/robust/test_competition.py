@@ -22,7 +22,8 @@ Z_AXIS.rotation, Z_AXIS.origin = np.eye(3), np.zeros(3)
 def compared(mesh: Mesh, found: list[Grown]) -> list[Grown]:
     graph, floor = FacetGraph.of(mesh), 1e-7 * mesh.diagonal
     polygon = coplanar_polygons(mesh, graph, floor)
-    return compete(mesh, graph, found, polygon, certain_planes(mesh, graph, polygon, floor), floor)
+    certain = certain_planes(mesh, graph, polygon, floor)
+    return compete(mesh, graph, found, polygon, certain, floor, 10.0 * floor)
 
 
 def claim(kind: Kind, facets: IntArray) -> Grown:

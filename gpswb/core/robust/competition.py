@@ -33,6 +33,7 @@ def compete(
     polygon: IntArray,
     certain: BoolArray,
     floor: float,
+    ceiling: float,
 ) -> list[Grown]:
     """Let the larger regions grow over the smaller ones that lie on their surfaces.
 
@@ -46,6 +47,8 @@ def compete(
         polygon: (m,) polygon of each facet.
         certain: (k,) polygons that were taken for planes.
         floor: least tolerance, mm; a region is grown as far as its own vertices stand off.
+        ceiling: largest, mm, at which regions were found: one that has grown beyond it would stand
+            off further each time, and grow further.
 
     Returns:
         The regions that are left, largest first, without common facets.
@@ -57,7 +60,8 @@ def compete(
         own = g.facets[free[g.facets]]
         if len(own) < max(1.0, KEPT * len(g.facets)):
             continue
-        tolerance = max(OUTLYING * stand_off(g, vertices_of(mesh, own)), floor)
+        off = stand_off(g, vertices_of(mesh, own))
+        tolerance = min(max(OUTLYING * off, floor), ceiling)
         facets = flood(mesh, graph, g.kind, g.surface, own, free, tolerance)
         facets = np.union1d(facets, own)
         facets = facets[~_not_its_own(mesh, graph, g, facets, polygon, certain, size)]

@@ -63,7 +63,8 @@ def join_faces(
 
     name = [known.get(u, c) for u, c in zip(used.tolist(), classes(number), strict=True)]
     borders = SeenBorders(mesh, graph, rim, number)
-    rule = _OneClass(borders, number, name, classes)
+    settled = [u in known for u in used.tolist()]
+    rule = _OneClass(borders, number, name, settled, classes)
     kept = merge_regions(len(used), borders.ends, rule, SEEN)
     # What was joined lies on no surface known so far.
     joined = np.bincount(kept, minlength=len(used)) > 1
@@ -75,18 +76,21 @@ def join_faces(
 
 class _OneClass:
     """Likeness of regions: share of their border that is none, if their union has the class of the
-    larger, or two revolute ones have another together; else 0 (a ``MergeRule``)."""
+    larger, or two revolute ones have another together; else 0 (a ``MergeRule``). Two whose surfaces
+    leave no doubt of different classes are two faces, however little curvature jumps."""
 
     def __init__(
         self,
         borders: SeenBorders,
         region: IntArray,
         name: list[InvarianceClass],
+        settled: list[bool],
         classes: Callable[[IntArray], list[InvarianceClass]],
     ) -> None:
         self._borders = borders
         self._region, self._classes = region, classes
         self._name, self._count = list(name), len(name)
+        self._settled = list(settled)
         self._union: dict[tuple[int, int], InvarianceClass] = {}
 
     def score(self, first: IntArray, second: IntArray) -> FloatArray:
@@ -101,10 +105,13 @@ class _OneClass:
         self._region = np.where(self._region >= 0, now[self._region], -1)
         for a, b in zip(kept.tolist(), gone.tolist(), strict=True):
             self._name[a] = self._union[min(a, b), max(a, b)]
+            self._settled[a] = False
 
     def _likeness(self, a: int, b: int) -> float:
         one, other = self._name[a], self._name[b]
         if (one == "complex") != (other == "complex"):
+            return 0.0
+        if one != other and self._settled[a] and self._settled[b]:
             return 0.0
         share = self._borders.share(a, b)
         if share < SEEN:

@@ -20,6 +20,7 @@ from gpswb.core.region_samples import confined_normals, region_samples
 from gpswb.core.robust.absorb import absorb_pieces
 from gpswb.core.robust.decide import by_gap, unless_far_better
 from gpswb.core.robust.describe import describe_surface
+from gpswb.core.robust.enclosed import take_enclosed
 from gpswb.core.robust.evidence import CHANCE, EXACT, INSIDE, sagitta
 from gpswb.core.robust.growth import Grown, fit_facets, regions_of, stand_off, vertices_of
 from gpswb.core.robust.leftover import label_leftover
@@ -103,12 +104,15 @@ def _nominal_regions(
     for i, grown in enumerate(surfaces):
         label[grown.facets] = i
     label, flat = label_leftover(mesh, graph, first, polygon, label, sigma, tolerances)
-    sure = certain[polygon]
+    alone = label
+    label = take_enclosed(mesh, graph, label, tolerances.confident_facets)
+    sure = certain[polygon] & (label == alone)
     label = absorb_pieces(mesh, graph, first, label, surfaces, sure, sigma, tolerances)
     surfaces, label = _rejoined(mesh, graph, surfaces, label)
     known = {i: CLASS_OF[g.kind] for i, g in enumerate(surfaces) if _is_settled(mesh, g)}
     label = join_faces(mesh, graph, first, label, known, sure | flat, sigma, tolerances)
-    return surfaces, label, flat
+    # What a region has taken in is no longer a plane.
+    return surfaces, label, flat & (label == alone)
 
 
 def _rejoined(

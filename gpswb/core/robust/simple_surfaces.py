@@ -68,11 +68,11 @@ def simple_surfaces(
         found += new + _still_free(weak, free)
         if number == 0:
             found += stacked_bands(mesh, graph, found, whole & ~certain[polygon], fine)
-        found = compete(mesh, graph, found, polygon, certain, fine)
+        found = compete(mesh, graph, found, polygon, certain, fine, tolerance)
         clock.report("refine", (number + 1) / (len(TIERS) + 1))
     found = dissolve(mesh, graph, found, polygon, whole & ~certain[polygon])
     # What the dissolved regions had taken may belong to those that stay.
-    found = compete(mesh, graph, found, polygon, certain, fine)
+    found = compete(mesh, graph, found, polygon, certain, fine, tolerance)
     found = reclaim(mesh, graph, found, certain[polygon], fine)
     found = rejoin(mesh, graph, found, fine)
     planes = []
