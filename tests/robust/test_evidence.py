@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 from analytic_meshes import TURN, cylinder, sheet, weld
 from known_surfaces import Frame, full_torus, patch_mesh, point_on, surface_of
+from scipy.spatial import Delaunay
 
 from gpswb.core.mesh import FloatArray, Mesh
 from gpswb.core.robust.evidence import (
@@ -16,11 +17,11 @@ from gpswb.core.robust.evidence import (
     LINES,
     PROFILE,
     SURE_LINES,
-    distinct_places,
     distinct_rulings,
     drifts,
     enough_evidence,
     is_exact,
+    places_on_tube,
     sagitta,
 )
 from gpswb.core.robust.growth import Grown, residual
@@ -45,7 +46,8 @@ def test_rulings_and_places_are_counted(count: int) -> None:
     points = frame.point(point_on("cylinder", angle, other))
     assert distinct_rulings(points, surface_of("cylinder", frame)) == count
     points = frame.point(point_on("torus", other, angle))
-    assert distinct_places(points, surface_of("torus", frame)) == count
+    place = places_on_tube(points, surface_of("torus", frame))
+    assert place.tolist() in ([*range(count)] * 6, [*range(count)][::-1] * 6)
 
 
 def test_rulings_of_a_full_turn() -> None:
@@ -76,6 +78,20 @@ def test_a_torus_needs_five_places_on_its_tube(rings: int) -> None:
     mesh = sheet(lambda u, v: point_on("torus", 2.0 * u, 1.5 * v), 12, rings - 1)
     grown = whole(mesh, "torus")
     assert enough_evidence(mesh, FacetGraph.of(mesh), grown, 1e-6) == (rings >= PROFILE)
+
+
+def test_three_places_prove_a_torus_where_facets_reach_across_the_middle_one() -> None:
+    turn = np.linspace(-0.6, 0.6, 9)
+    start, middle, end = (
+        point_on("torus", turn, np.full(len(turn), tube)) for tube in (0.1, 0.7, 1.5)
+    )
+    # Two of the middle ring's vertices are left out.
+    middle = np.delete(middle, [4, 5], axis=0)
+    points = np.concatenate([start, middle, end])
+    strip = np.c_[points @ [0.0, 1.0, 0.0], np.repeat([0.0, 1.0, 2.0], [9, 7, 9])]
+    mesh = Mesh(points, Delaunay(strip).simplices)
+    grown = whole(mesh, "torus")
+    assert enough_evidence(mesh, FacetGraph.of(mesh), grown, 1e-6)
 
 
 def test_a_sphere_needs_eight_vertices() -> None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from gpswb.core.mesh import FloatArray, IntArray, Mesh
+from gpswb.core.mesh import BoolArray, FloatArray, IntArray, Mesh
 from gpswb.core.robust.growth import SPARE, Grown, stand_off, vertices_of
 from gpswb.core.robust.surfaces import UNKNOWNS, Kind, distance
 from gpswb.core.robust.topology import SMOOTH, FacetGraph
@@ -21,7 +21,7 @@ POINTS: dict[Kind, int] = {"sphere": 8, "torus": 10}
 
 PROFILE = 5
 """Different places on the tube that prove a torus: any three rings of vertices lie on one torus,
-and four of a symmetric profile do."""
+and four of a symmetric profile do. Three do where none is an edge (see ``is_one_profile``)."""
 
 BEND = 20.0
 """Tolerances that a region must bend by: less and it lies on many other surfaces, too."""
@@ -58,7 +58,7 @@ def enough_evidence(mesh: Mesh, graph: FacetGraph, grown: Grown, tolerance: floa
         if distinct_rulings(points, grown.surface) < LINES:
             return False
     elif len(points) < POINTS[grown.kind] or (
-        grown.kind == "torus" and distinct_places(points, grown.surface) < PROFILE
+        grown.kind == "torus" and not is_one_profile(mesh, grown)
     ):
         return False
     if sagitta(mesh, grown) < BEND * tolerance:
@@ -85,22 +85,52 @@ def distinct_rulings(points: FloatArray, surface: FloatArray) -> int:
     e1 /= np.linalg.norm(e1)
     x = points - surface[:3]
     angle = np.sort(np.arctan2(x @ np.cross(u, e1), x @ e1))
-    return _distinct(angle)
+    return max(1, int(_ends(angle).sum()))
 
 
-def distinct_places(points: FloatArray, surface: FloatArray) -> int:
-    """Number of different angles about a torus's tube at which (n, 3) points lie."""
+def is_one_profile(mesh: Mesh, grown: Grown) -> bool:
+    """Whether a torus has rings of vertices enough, or none that could be an edge between two.
+
+    Where one face ends and another begins the mesh has an edge all along. A ring that facets reach
+    across, from a ring before it to one behind it, is within a face.
+    """
+    place = places_on_tube(
+        mesh.vertices[mesh.triangles[grown.facets]].reshape(-1, 3), grown.surface
+    )
+    count = int(place.max()) + 1
+    if count >= PROFILE or count < 3:
+        return count >= PROFILE
+    low, high = place.reshape(-1, 3).min(axis=1), place.reshape(-1, 3).max(axis=1)
+    return all(((low < ring) & (ring < high)).any() for ring in range(1, count - 1))
+
+
+def places_on_tube(points: FloatArray, surface: FloatArray) -> IntArray:
+    """(n,) number of the ring about a torus's tube at which each of (n, 3) points lies."""
     x = points - surface[:3]
     t = x @ surface[3:6]
     rho = np.linalg.norm(x - np.outer(t, surface[3:6]), axis=1)
-    return _distinct(np.sort(np.arctan2(t, rho - surface[6])))
+    angle = np.arctan2(t, rho - surface[6])
+    order = np.argsort(angle, kind="stable")
+    new = _ends(angle[order])
+    # The largest gap is where the tube is open.
+    first = (int(np.argmax(_gaps(angle[order]))) + 1) % len(order)
+    place = np.empty(len(order), dtype=np.int64)
+    place[np.roll(order, -first)] = np.r_[0, np.cumsum(np.roll(new, -first)[:-1])]
+    return place
 
 
-def _distinct(angle: FloatArray) -> int:
-    """Number of clusters of sorted angles, told apart by a small part of what they span."""
-    gaps = np.diff(np.r_[angle, angle[0] + 2 * np.pi])
+def _gaps(angle: FloatArray) -> FloatArray:
+    """(n,) gap behind each of sorted angles."""
+    return np.diff(np.r_[angle, angle[0] + 2 * np.pi])
+
+
+def _ends(angle: FloatArray) -> BoolArray:
+    """(n,) whether a cluster of sorted angles ends at each: they are told apart by a small part of
+    what they span."""
+    gaps = _gaps(angle)
     span = 2 * np.pi - float(gaps.max())
-    return max(1, int((gaps > max(1e-3 * span, 1e-9)).sum()))
+    ends: BoolArray = gaps > max(1e-3 * span, 1e-9)
+    return ends
 
 
 def sagitta(mesh: Mesh, grown: Grown) -> float:

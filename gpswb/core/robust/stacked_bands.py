@@ -3,12 +3,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 import numpy as np
 
-from gpswb.core.mesh import BoolArray, FloatArray, Mesh
-from gpswb.core.robust.evidence import PROFILE
+from gpswb.core.mesh import BoolArray, FloatArray, IntArray, Mesh
+from gpswb.core.robust.evidence import PROFILE, is_one_profile
 from gpswb.core.robust.growth import Grown, flood, vertices_of
-from gpswb.core.robust.surfaces import Kind
 from gpswb.core.robust.topology import FacetGraph
 
 TURN = np.deg2rad(40.0)
@@ -27,7 +28,8 @@ def stacked_bands(
 ) -> list[Grown]:
     """The tori and spheres that go through the rings of neighbouring coaxial cones and cylinders.
 
-    On a coarse mesh every two rings of a torus lie on a cone exactly, and prove it.
+    On a coarse mesh every two rings of a torus lie on a cone exactly, and prove it. Where a few of
+    its vertices are between its two borders, most of its facets lie on that cone still.
 
     Args:
         mesh: the mesh.
@@ -39,37 +41,66 @@ def stacked_bands(
     Returns:
         New regions, which overlap those that they are made of.
     """
+    out: list[Grown] = []
+    covered = np.zeros(len(mesh.triangles), dtype=bool)
+    for h in _hypotheses(mesh, graph, found, allowed, tolerance):
+        if covered[h.facets].all():
+            continue
+        facets = flood(mesh, graph, h.kind, h.surface, h.facets, allowed, tolerance)
+        grown = Grown(h.kind, h.surface, facets)
+        if len(facets) > len(h.facets) and _is_profile(mesh, grown, tolerance):
+            out.append(grown)
+            covered[facets] = True
+    return out
+
+
+def _hypotheses(
+    mesh: Mesh, graph: FacetGraph, found: list[Grown], allowed: BoolArray, tolerance: float
+) -> Iterator[Grown]:
+    """Tori and spheres through two bands, through a band and a facet beside it that is in no region
+    and reaches to a third place, and those beside a band; with the facets that say so."""
+    pairs = graph.pairs[np.abs(graph.pair_dihedral) < TURN]
+    pairs = np.concatenate([pairs, pairs[:, ::-1]])
     owner = np.full(len(mesh.triangles), -1, dtype=np.int64)
     for i, g in enumerate(found):
-        if g.kind in ("cylinder", "cone"):
-            owner[g.facets] = i
-    ends = owner[graph.pairs[np.abs(graph.pair_dihedral) < TURN]]
-    ends = np.sort(ends[(ends >= 0).all(axis=1) & (ends[:, 0] != ends[:, 1])], axis=1)
-    out: list[Grown] = []
-    taken = np.zeros(len(found), dtype=bool)
-    for a, b in np.unique(ends, axis=0).tolist():
-        if taken[a] and taken[b]:
+        owner[g.facets] = i
+    band = np.array([g.kind in ("cylinder", "cone") for g in found] + [False])
+    round_ = np.array([g.kind in ("sphere", "torus") for g in found] + [False])
+    first, second = owner[pairs.T]
+    beside = band[first] & (first != second)
+    both = np.stack([first, second], axis=1)[beside & band[second]]
+    for a, b in np.unique(np.sort(both, axis=1), axis=0).tolist():
+        larger, smaller = sorted((found[a], found[b]), key=lambda g: -len(g.facets))
+        yield from _through(mesh, larger, smaller.facets, tolerance)
+    for i in np.unique(second[beside & round_[second]]).tolist():
+        yield found[i]
+    free = beside & (second < 0) & allowed[pairs[:, 1]]
+    for i in np.unique(first[free]).tolist():
+        points = vertices_of(mesh, found[i].facets)
+        if _rings(found[i].surface, points, 2, NEAR * tolerance) is None:
             continue
-        both = np.concatenate([found[a].facets, found[b].facets])
-        larger = a if len(found[a].facets) >= len(found[b].facets) else b
-        ring = _rings(found[larger].surface, vertices_of(mesh, both), 3, NEAR * tolerance)
-        circle = None if ring is None else _circle(ring)
-        if circle is None:
-            continue
-        kind: Kind = "torus" if abs(circle[0]) > tolerance else "sphere"
-        surface = found[larger].surface.copy()
-        surface[:3] += circle[1] * surface[3:6]
-        surface[6:8] = circle[[0, 2]] if kind == "torus" else circle[[2, 0]]
-        facets = flood(mesh, graph, kind, surface, both, allowed, tolerance)
-        if len(facets) > len(both) and _is_profile(surface, vertices_of(mesh, facets), tolerance):
-            out.append(Grown(kind, surface, facets))
-            taken[np.unique(owner[facets][owner[facets] >= 0])] = True
-    return out
+        for facet in np.unique(pairs[free & (first == i), 1]):
+            yield from _through(mesh, found[i], np.array([facet]), tolerance)
+
+
+def _through(mesh: Mesh, band: Grown, other: IntArray, tolerance: float) -> Iterator[Grown]:
+    """The torus or sphere about a band's axis, through it and other facets, if they have three
+    rings of vertices that aren't on one cone."""
+    both = np.concatenate([band.facets, other])
+    ring = _rings(band.surface, vertices_of(mesh, both), 3, NEAR * tolerance)
+    circle = None if ring is None else _circle(ring)
+    if circle is None:
+        return
+    surface = band.surface.copy()
+    surface[:3] += circle[1] * surface[3:6]
+    torus = abs(circle[0]) > tolerance
+    surface[6:8] = circle[[0, 2]] if torus else circle[[2, 0]]
+    yield Grown("torus" if torus else "sphere", surface, both)
 
 
 def _rings(surface: FloatArray, points: FloatArray, most: int, near: float) -> FloatArray | None:
     """(k, 2) places (radius, height) of the meridian about an axis at which (n, 3) points lie; None
-    if there are more than so many, or fewer than three."""
+    if there are more than so many, or fewer than two."""
     x = points - surface[:3]
     height = x @ surface[3:6]
     radius = np.linalg.norm(x - np.outer(height, surface[3:6]), axis=1)
@@ -80,12 +111,14 @@ def _rings(surface: FloatArray, points: FloatArray, most: int, near: float) -> F
             return None
         places.append(left[0])
         left = left[np.linalg.norm(left - left[0], axis=1) > near]
-    return np.array(places) if len(places) >= 3 else None
+    return np.array(places) if len(places) >= 2 else None
 
 
 def _circle(places: FloatArray) -> FloatArray | None:
     """Centre's radius (beyond the axis, negative) and height, and radius of the circle through
-    (3, 2) places of the meridian; None if they lie on a line."""
+    (3, 2) places of the meridian; None if they are fewer or lie on a line."""
+    if len(places) < 3:
+        return None
     chords = places[1:] - places[0]
     if abs(np.linalg.det(chords)) < 1e-6 * float(np.prod(np.linalg.norm(chords, axis=1))):
         return None
@@ -93,9 +126,13 @@ def _circle(places: FloatArray) -> FloatArray | None:
     return np.append(places[0] + centre, np.linalg.norm(centre))
 
 
-def _is_profile(surface: FloatArray, points: FloatArray, tolerance: float) -> bool:
-    """Whether the rings at which (n, 3) points lie are too many, or too regular, for chance."""
-    ring = _rings(surface, points, PROFILE, NEAR * tolerance)
+def _is_profile(mesh: Mesh, grown: Grown, tolerance: float) -> bool:
+    """Whether the rings at which a region's vertices lie are too many, or too regular, for chance,
+    or none of them is an edge."""
+    if grown.kind == "torus" and is_one_profile(mesh, grown):
+        return True
+    points = vertices_of(mesh, grown.facets)
+    ring = _rings(grown.surface, points, PROFILE, NEAR * tolerance)
     if ring is None or len(ring) >= PROFILE:
         return True
     if len(ring) < 4:
