@@ -54,7 +54,7 @@ def side_lengths(mesh: Mesh) -> FloatArray:
     return lengths
 
 
-def heights_across(mesh: Mesh, normals: FloatArray, part: slice) -> FloatArray:
+def heights_across(mesh: Mesh, normals: FloatArray, part: slice | IntArray) -> FloatArray:
     """How far the two facets of an edge stand off each other's planes, block by block.
 
     Args:

@@ -6,6 +6,7 @@ from __future__ import annotations
 import numpy as np
 
 from gpswb.core.mesh import FloatArray
+from gpswb.core.robust.cone_chart import ConeChart
 from gpswb.core.robust.first_guess import cylinder_guess, guess, torus_starts
 from gpswb.core.robust.surfaces import Kind, distance, distance_jacobian
 from gpswb.core.robust.torus_chart import TorusChart
@@ -35,6 +36,9 @@ grows to."""
 
 FIRST = 10
 """Steps in which the scale of a robust fit falls, whatever they gain."""
+
+CHARTS: dict[Kind, type[ConeChart] | type[TorusChart]] = {"cone": ConeChart, "torus": TorusChart}
+"""Coordinates in which the surfaces of a kind that has more than its size and place are fitted."""
 
 
 def fit_patches(
@@ -146,7 +150,7 @@ def fit(
         now = None if floor is None else scale[live]
         w = weight if now is None else weight * _influence(d, now)
         cost = _cost(d, weight, now)
-        chart = TorusChart.at(surface[live], middle[live]) if kind == "torus" else None
+        chart = CHARTS[kind].at(surface[live], middle[live]) if kind in CHARTS else None
         slope = rows if chart is None else np.swapaxes(chart.derivative(), 1, 2) @ rows
         weighted = slope * w[:, None]
         h = weighted @ np.swapaxes(slope, 1, 2)

@@ -17,6 +17,10 @@ FLAT = 2e-3
 """Turning angle (rad) of two facets of a plane at most: a fine mesh of a large cylinder keeps the
 distances, but turns by more."""
 
+STRICT = 1e-3
+"""Share of both tolerances by which what was joined to more than a plane is joined again: a plane
+that ends at a tiny curved face is exact, the facets of that face are not."""
+
 GENTLE = 5 * FLAT
 """Turning angle (rad) at a polygon's border that says the surface goes on."""
 
@@ -42,35 +46,47 @@ def coplanar_polygons(mesh: Mesh, graph: FacetGraph, tolerance: float) -> IntArr
     joined = np.empty(len(graph.pairs), dtype=bool)
     normals = np.ascontiguousarray(mesh.facet_normals.T)
     for part in blocks(len(joined)):
-        joined[part] = _coplanar(mesh, normals, graph, part, tolerance)
+        joined[part] = _coplanar(mesh, normals, graph, part, tolerance, FLAT)
     label = graph.components(joined, m)
     # Small steps add up along a gently curved surface: such chains fall apart again.
-    bad = _deviation(mesh, label) > 3.0 * tolerance
-    loose = bad[label]
-    label[loose] = label.max() + 1 + np.arange(int(loose.sum()))
+    loose = (_deviation(mesh, label) > 3.0 * tolerance)[label]
+    if loose.any():
+        again = np.flatnonzero(joined & loose[graph.pairs[:, 0]])
+        for part in blocks(len(again)):
+            joined[again[part]] = _coplanar(
+                mesh, normals, graph, again[part], STRICT * tolerance, STRICT * FLAT
+            )
+        label = graph.components(joined, m)
+        loose = (_deviation(mesh, label) > 3.0 * tolerance)[label]
+        label[loose] = label.max() + 1 + np.arange(int(loose.sum()))
     number = np.cumsum(np.bincount(label) > 0) - 1
     polygon: IntArray = number[label]
     return polygon
 
 
 def _coplanar(
-    mesh: Mesh, normals: FloatArray, graph: FacetGraph, part: slice, tolerance: float
+    mesh: Mesh,
+    normals: FloatArray,
+    graph: FacetGraph,
+    part: slice | IntArray,
+    tolerance: float,
+    flat: float,
 ) -> BoolArray:
-    """Which pairs of facets, of a slice of them, lie in one plane.
+    """Which pairs of facets, of some of them, lie in one plane.
 
     Args:
         mesh: the mesh.
         normals: (3, m) facet normals, axis by axis.
         graph: its adjacency.
         part: which pairs.
-        tolerance: see `coplanar_polygons`.
+        tolerance: see `coplanar_polygons`; ``flat`` rad, their turning angle at most.
     """
     length = np.maximum(edge_lengths(mesh, part), 1e-300)
     altitude = 2.0 * mesh.areas[graph.pairs[part]].T / length
     # A sliver's plane is only known as well as its altitude: it tilts by tolerance / altitude.
     lever = altitude[::-1] / np.maximum(altitude, 1e-300)
     joined = (heights_across(mesh, normals, part) <= tolerance * np.maximum(1.0, lever)).all(axis=0)
-    turn = FLAT + 0.04 * tolerance / np.maximum(altitude.min(axis=0), 1e-300)
+    turn = flat + 0.04 * tolerance / np.maximum(altitude.min(axis=0), 1e-300)
     # Where a thin ring is meshed more coarsely than it is wide, facets fold over in their plane.
     angle = np.abs(graph.pair_dihedral[part])
     joined &= np.minimum(angle, np.pi - angle) < np.minimum(turn, 0.5)

@@ -14,8 +14,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from gpswb.core.mesh import FloatArray
-
-TINY = 1e-12
+from gpswb.core.robust.turns import TINY, turned, turning
 
 
 @dataclass(frozen=True, eq=False)
@@ -64,8 +63,8 @@ class TorusChart:
         out = np.zeros((len(self.foot), 8, 7))
         centre = self.foot - self.minor[:, None] * self.normal - self.major[:, None] * self.radial
         out[:, :3, 0] = self.normal
-        out[:, :3, 1:4] = _turning(centre - self.foot)
-        out[:, 3:6, 1:4] = _turning(self.axis)
+        out[:, :3, 1:4] = turning(centre - self.foot)
+        out[:, 3:6, 1:4] = turning(self.axis)
         out[:, :3, 4], out[:, 7, 4] = -self.normal, 1.0
         out[:, :3, 5], out[:, 3:6, 5] = self.major[:, None] * self.axis, self.radial
         out[:, :3, 6], out[:, 6, 6] = -self.radial, 1.0
@@ -73,9 +72,7 @@ class TorusChart:
 
     def moved(self, step: FloatArray) -> TorusChart:
         """The chart after a (b, 7) step; turns are carried out exactly."""
-        normal, axis, radial = _turned(
-            np.stack([self.normal, self.axis, self.radial]), step[:, 1:4]
-        )
+        normal, axis, radial = turned(np.stack([self.normal, self.axis, self.radial]), step[:, 1:4])
         cos, sin = np.cos(step[:, 5, None]), np.sin(step[:, 5, None])
         return TorusChart(
             self.foot + step[:, :1] * self.normal,
@@ -85,23 +82,3 @@ class TorusChart:
             self.major + step[:, 6],
             self.minor + step[:, 4],
         )
-
-
-def _turning(v: FloatArray) -> FloatArray:
-    """(b, 3, 3) change of (b, 3) vectors v with turns about the axes e: e × v as columns."""
-    out = np.zeros((len(v), 3, 3))
-    out[:, 1, 0], out[:, 2, 0] = -v[:, 2], v[:, 1]
-    out[:, 0, 1], out[:, 2, 1] = v[:, 2], -v[:, 0]
-    out[:, 0, 2], out[:, 1, 2] = -v[:, 1], v[:, 0]
-    return out
-
-
-def _turned(vectors: FloatArray, turn: FloatArray) -> FloatArray:
-    """(k, b, 3) vectors turned by (b, 3) rotation vectors (Rodrigues)."""
-    angle = np.sqrt(np.einsum("bk,bk->b", turn, turn))
-    unit = turn / np.maximum(angle, TINY)[:, None]
-    spin = -_turning(unit)  # spin @ v is unit × v
-    cos, sin = np.cos(angle)[:, None, None], np.sin(angle)[:, None, None]
-    rotation = cos * np.eye(3) + sin * spin + (1.0 - cos) * unit[:, :, None] * unit[:, None]
-    turned: FloatArray = np.einsum("bij,kbj->kbi", rotation, vectors)
-    return turned

@@ -1,0 +1,31 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Turns of many vectors, small and finite."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from gpswb.core.mesh import FloatArray
+
+TINY = 1e-12
+"""Length below which a vector has no direction."""
+
+
+def turning(v: FloatArray) -> FloatArray:
+    """(b, 3, 3) change of (b, 3) vectors v with turns about the axes e: e × v as columns."""
+    out = np.zeros((len(v), 3, 3))
+    out[:, 1, 0], out[:, 2, 0] = -v[:, 2], v[:, 1]
+    out[:, 0, 1], out[:, 2, 1] = v[:, 2], -v[:, 0]
+    out[:, 0, 2], out[:, 1, 2] = -v[:, 1], v[:, 0]
+    return out
+
+
+def turned(vectors: FloatArray, turn: FloatArray) -> FloatArray:
+    """(k, b, 3) vectors turned by (b, 3) rotation vectors (Rodrigues)."""
+    angle = np.sqrt(np.einsum("bk,bk->b", turn, turn))
+    unit = turn / np.maximum(angle, TINY)[:, None]
+    spin = -turning(unit)  # spin @ v is unit × v
+    cos, sin = np.cos(angle)[:, None, None], np.sin(angle)[:, None, None]
+    rotation = cos * np.eye(3) + sin * spin + (1.0 - cos) * unit[:, :, None] * unit[:, None]
+    turned: FloatArray = np.einsum("bij,kbj->kbi", rotation, vectors)
+    return turned
