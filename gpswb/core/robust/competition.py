@@ -47,8 +47,8 @@ def compete(
         polygon: (m,) polygon of each facet.
         certain: (k,) polygons that were taken for planes.
         floor: least tolerance, mm; a region is grown as far as its own vertices stand off.
-        ceiling: largest, mm, at which regions were found: one that has grown beyond it would stand
-            off further each time, and grow further.
+        ceiling: the largest, mm: a region that has grown at a wider one stands off further, and
+            would grow further each time.
 
     Returns:
         The regions that are left, largest first, without common facets.

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 """A cone seen from a patch of it: coordinates in which a fit to the patch converges.
 
-The half angle shows in the third order only, in how curvature changes along the rulings: when it is
-changed alone, the cone leaves the patch at once, so that a descent crawls along a bent valley. These
-six coordinates act at the point of the cone nearest to the patch: its height, three turns about it,
-the curvature across its ruling, and the half angle with that curvature and the ruling kept.
+The half angle shows in the third order only, in how curvature changes along the rulings. When it is
+changed alone, the cone leaves the patch at once, so that a descent crawls along a bent valley.
+These six coordinates act at the point of the cone nearest to the patch: its height, three turns
+about it, the curvature across its ruling, and the half angle with curvature and ruling kept.
 """
 
 from __future__ import annotations

@@ -42,6 +42,10 @@ INSIDE = 1e-5
 """Share of the diagonal by which vertices inside a face may be off its surface: those of its edges
 hold to the modelling tolerance of exchanged files only, which is wider."""
 
+BULGE = 1e-3
+"""Share of the chord from the first ring of a profile to the last by which those between must leave
+it: vertices of a cone or cylinder that are off it by modelling tolerance leave it by less."""
+
 MOST = 0.9
 """Share of them that must be: a region may have grown a row beyond a border."""
 
@@ -58,7 +62,7 @@ def enough_evidence(mesh: Mesh, graph: FacetGraph, grown: Grown, tolerance: floa
         if distinct_rulings(points, grown.surface) < LINES:
             return False
     elif len(points) < POINTS[grown.kind] or (
-        grown.kind == "torus" and not is_one_profile(mesh, grown)
+        grown.kind == "torus" and not is_one_profile(mesh, graph, grown)
     ):
         return False
     if sagitta(mesh, grown) < BEND * tolerance:
@@ -88,20 +92,38 @@ def distinct_rulings(points: FloatArray, surface: FloatArray) -> int:
     return max(1, int(_ends(angle).sum()))
 
 
-def is_one_profile(mesh: Mesh, grown: Grown) -> bool:
+def is_one_profile(mesh: Mesh, graph: FacetGraph, grown: Grown) -> bool:
     """Whether a torus has rings of vertices enough, or none that could be an edge between two.
 
-    Where one face ends and another begins the mesh has an edge all along. A ring that facets reach
-    across, from a ring before it to one behind it, is within a face.
+    Where one face ends and another begins the mesh has an edge all along. A ring inside the region
+    that facets reach across, from a ring before it to one behind it, is within a face; if it is
+    clearly off the cone through those two.
     """
-    place = places_on_tube(
-        mesh.vertices[mesh.triangles[grown.facets]].reshape(-1, 3), grown.surface
-    )
+    corners = mesh.triangles[grown.facets]
+    place = places_on_tube(mesh.vertices[corners].reshape(-1, 3), grown.surface).reshape(-1, 3)
     count = int(place.max()) + 1
     if count >= PROFILE or count < 3:
         return count >= PROFILE
-    low, high = place.reshape(-1, 3).min(axis=1), place.reshape(-1, 3).max(axis=1)
-    return all(((low < ring) & (ring < high)).any() for ring in range(1, count - 1))
+    inside = np.isin(corners, inner_vertices(mesh, graph, grown.facets))
+    low, high = place.min(axis=1), place.max(axis=1)
+    for ring in range(1, count - 1):
+        if not (((low < ring) & (ring < high)).any() and inside[place == ring].any()):
+            return False
+    return _bulge(grown.surface, mesh.vertices[corners], place) > BULGE
+
+
+def _bulge(surface: FloatArray, corners: FloatArray, place: IntArray) -> float:
+    """How far (k, 3, 3) corners at the rings between the first and the last one, by their (k, 3)
+    place, are off the cone through these two, as share of its length."""
+    x = corners - surface[:3]
+    height = x @ surface[3:6]
+    radius = np.linalg.norm(x - height[..., None] * surface[3:6], axis=2)
+    first, last = place == 0, place == place.max()
+    start = np.array([radius[first].mean(), height[first].mean()])
+    chord = np.array([radius[last].mean(), height[last].mean()]) - start
+    between = np.stack([radius, height], axis=-1)[~first & ~last] - start
+    across = np.abs(between @ np.array([-chord[1], chord[0]])).min()
+    return float(across / max(float(chord @ chord), 1e-300))
 
 
 def places_on_tube(points: FloatArray, surface: FloatArray) -> IntArray:

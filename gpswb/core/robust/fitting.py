@@ -37,7 +37,7 @@ grows to."""
 FIRST = 10
 """Steps in which the scale of a robust fit falls, whatever they gain."""
 
-CHARTS: dict[Kind, type[ConeChart] | type[TorusChart]] = {"cone": ConeChart, "torus": TorusChart}
+CHARTS: dict[Kind, type[ConeChart | TorusChart]] = {"cone": ConeChart, "torus": TorusChart}
 """Coordinates in which the surfaces of a kind that has more than its size and place are fitted."""
 
 

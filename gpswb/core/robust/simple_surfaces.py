@@ -46,7 +46,7 @@ def simple_surfaces(
         initial: (m,) initial regions, where the search begins.
         clock: told of the progress.
     """
-    fine = TIERS[0] * mesh.diagonal
+    fine, wide = TIERS[0] * mesh.diagonal, TIERS[-1] * mesh.diagonal
     whole = mesh.areas > 0.0
     found: list[Grown] = []
     smooth = np.zeros(len(whole))
@@ -68,11 +68,11 @@ def simple_surfaces(
         found += new + _still_free(weak, free)
         if number == 0:
             found += stacked_bands(mesh, graph, found, whole & ~certain[polygon], fine)
-        found = compete(mesh, graph, found, polygon, certain, fine, tolerance)
+        found = compete(mesh, graph, found, polygon, certain, fine, wide)
         clock.report("refine", (number + 1) / (len(TIERS) + 1))
     found = dissolve(mesh, graph, found, polygon, whole & ~certain[polygon])
     # What the dissolved regions had taken may belong to those that stay.
-    found = compete(mesh, graph, found, polygon, certain, fine, tolerance)
+    found = compete(mesh, graph, found, polygon, certain, fine, wide)
     found = reclaim(mesh, graph, found, certain[polygon], fine)
     found = rejoin(mesh, graph, found, fine)
     planes = []

@@ -8,7 +8,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from gpswb.core.mesh import BoolArray, FloatArray, IntArray, Mesh
-from gpswb.core.robust.evidence import PROFILE, is_one_profile
+from gpswb.core.robust.evidence import BULGE, PROFILE, is_one_profile
 from gpswb.core.robust.growth import Grown, flood, vertices_of
 from gpswb.core.robust.topology import FacetGraph
 
@@ -48,7 +48,7 @@ def stacked_bands(
             continue
         facets = flood(mesh, graph, h.kind, h.surface, h.facets, allowed, tolerance)
         grown = Grown(h.kind, h.surface, facets)
-        if len(facets) > len(h.facets) and _is_profile(mesh, grown, tolerance):
+        if len(facets) > len(h.facets) and _is_profile(mesh, graph, grown, tolerance):
             out.append(grown)
             covered[facets] = True
     return out
@@ -116,20 +116,20 @@ def _rings(surface: FloatArray, points: FloatArray, most: int, near: float) -> F
 
 def _circle(places: FloatArray) -> FloatArray | None:
     """Centre's radius (beyond the axis, negative) and height, and radius of the circle through
-    (3, 2) places of the meridian; None if they are fewer or lie on a line."""
+    (3, 2) places of the meridian; None if they are fewer or hardly leave a line."""
     if len(places) < 3:
         return None
     chords = places[1:] - places[0]
-    if abs(np.linalg.det(chords)) < 1e-6 * float(np.prod(np.linalg.norm(chords, axis=1))):
+    if abs(np.linalg.det(chords)) < BULGE * float(np.prod(np.linalg.norm(chords, axis=1))):
         return None
     centre = np.linalg.solve(chords, 0.5 * np.einsum("ij,ij->i", chords, chords))
     return np.append(places[0] + centre, np.linalg.norm(centre))
 
 
-def _is_profile(mesh: Mesh, grown: Grown, tolerance: float) -> bool:
+def _is_profile(mesh: Mesh, graph: FacetGraph, grown: Grown, tolerance: float) -> bool:
     """Whether the rings at which a region's vertices lie are too many, or too regular, for chance,
     or none of them is an edge."""
-    if grown.kind == "torus" and is_one_profile(mesh, grown):
+    if grown.kind == "torus" and is_one_profile(mesh, graph, grown):
         return True
     points = vertices_of(mesh, grown.facets)
     ring = _rings(grown.surface, points, PROFILE, NEAR * tolerance)
