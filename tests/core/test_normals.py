@@ -45,6 +45,18 @@ def test_normals_of_a_cylinder_hold_to_its_open_rims() -> None:
     assert np.abs(normals - radial).max() < 1e-12
 
 
+def test_three_corners_in_a_line_have_no_area_wherever_the_mesh_is() -> None:
+    rng = np.random.default_rng(0)
+    for far in (0.0, 1e3, 1e6):
+        start, end = rng.normal(size=(2, 3)) + far
+        middle = start + rng.uniform(0.2, 0.8) * (end - start)
+        beside = middle + 1e-6 * np.cross(end - start, [0.0, 0.0, 1.0])
+        mesh = Mesh(np.array([start, end, middle, beside]), np.array([[0, 1, 2], [0, 1, 3]]))
+        assert mesh.areas[0] == 0.0
+        assert not mesh.facet_normals[0].any()
+        assert mesh.areas[1] > 0.0
+
+
 def test_degenerate_facets_weigh_nothing() -> None:
     mesh = box(n=1)
     extra = np.concatenate([mesh.triangles, [[0, 0, 1], [2, 2, 2]]])

@@ -5,12 +5,12 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from analytic_meshes import capped_cylinder
+from analytic_meshes import capped_cylinder, sheet
 from known_surfaces import Frame, full_torus, surface_of
 
-from gpswb.core.mesh import IntArray, Mesh
+from gpswb.core.mesh import FloatArray, IntArray, Mesh
 from gpswb.core.robust.competition import CREASED, compete
-from gpswb.core.robust.growth import Grown, fit_facets
+from gpswb.core.robust.growth import Grown, fit_facets, residual
 from gpswb.core.robust.polygons import certain_planes, coplanar_polygons
 from gpswb.core.robust.surfaces import Kind
 from gpswb.core.robust.topology import FacetGraph
@@ -72,3 +72,24 @@ def test_regions_end_without_common_facets(seed: int) -> None:
     assert len(np.unique(facets)) == len(facets) == len(mesh.triangles)
     sizes = [len(g.facets) for g in left]
     assert sizes == sorted(sizes, reverse=True)
+
+
+def test_a_region_grows_no_further_than_the_ceiling() -> None:
+    # A barrel: the larger the piece of it, the farther it stands off a cylinder.
+    def surface(u: FloatArray, v: FloatArray) -> FloatArray:
+        angle, z = 2.0 * np.pi * u, 10.0 * v - 5.0
+        rho = 5.0 - 1e-4 * z * z
+        return np.column_stack([rho * np.cos(angle), rho * np.sin(angle), z])
+
+    mesh = sheet(surface, 24, 40, closed=True)
+    waist = np.flatnonzero(np.abs(mesh.centroids[:, 2]) < 2.0)
+    found = [Grown("cylinder", fit_facets(mesh, "cylinder", waist), waist)]
+    graph = FacetGraph.of(mesh)
+    polygon = coplanar_polygons(mesh, graph, 1e-7 * mesh.diagonal)
+    certain = np.zeros(int(polygon.max()) + 1, dtype=bool)
+    ceiling = 1e-3
+    (left,) = compete(mesh, graph, found, polygon, certain, 0.0, ceiling)
+    # Without it, six times the stand-off of the waist reaches to both ends.
+    (unbounded,) = compete(mesh, graph, found, polygon, certain, 0.0, np.inf)
+    assert residual(mesh, left) <= ceiling
+    assert len(waist) <= len(left.facets) < len(unbounded.facets)

@@ -27,11 +27,12 @@ def row_of(mesh: Mesh) -> FloatArray:
     return row
 
 
-def joined(mesh: Mesh, label: IntArray, name: InvarianceClass) -> list[int]:
-    """Sizes of the regions after labels of one known class were joined."""
+def joined(mesh: Mesh, label: IntArray, *names: InvarianceClass) -> list[int]:
+    """Sizes of the regions after labels of known classes, or of one, were joined."""
     tolerances = Tolerances(form=Tolerances().distance)
     first = initial_partition(mesh, 0.0, tolerances, StageClock(None))
-    known = dict.fromkeys(np.unique(label).tolist(), name)
+    used = np.unique(label).tolist()
+    known = dict(zip(used, names * (len(used) // len(names)), strict=True)) if names else {}
     sure = np.zeros(len(label), dtype=bool)
     out = join_faces(mesh, FacetGraph.of(mesh), first, label, known, sure, 0.0, tolerances)
     return sorted(np.unique(out, return_counts=True)[1].tolist())
@@ -46,6 +47,22 @@ def test_pieces_of_a_helical_band_that_pass_for_tori_are_one_face() -> None:
     mesh = sheet(surface, ROWS, COLUMNS)
     label = (row_of(mesh) // 10).astype(np.int64)
     assert joined(mesh, label, "revolute") == [len(label)]
+
+
+def test_a_cylinder_beside_a_torus_that_hardly_leaves_it_stays() -> None:
+    # Curvature jumps by a tenth only, and both have one axis: R5, and a tube of R50 behind it.
+    def surface(u: FloatArray, v: FloatArray) -> FloatArray:
+        angle, z = TURN * u, 12.0 * v - 3.0
+        beyond = np.maximum(z, 0.0)
+        rho = 5.0 - (50.0 - np.sqrt(50.0**2 - beyond**2))
+        return np.column_stack([rho * np.cos(angle), rho * np.sin(angle), z])
+
+    mesh = sheet(surface, 60, 24, closed=True)
+    label = (mesh.centroids[:, 2] > 0.0).astype(np.int64)
+    quarter = len(label) // 4
+    assert joined(mesh, label, "cylindrical", "revolute") == [quarter, 3 * quarter]
+    # Where nothing is known of them, they have one symmetry together.
+    assert joined(mesh, label) == [4 * quarter]
 
 
 def test_a_cylinder_beside_a_tangent_one_stays() -> None:

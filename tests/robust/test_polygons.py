@@ -5,11 +5,21 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from analytic_meshes import Pose, box, capped_cylinder, cylinder, moved, poses, relabelled, sphere
+from analytic_meshes import (
+    Pose,
+    box,
+    capped_cylinder,
+    cylinder,
+    moved,
+    poses,
+    relabelled,
+    sheet,
+    sphere,
+)
 from hypothesis import given, settings
 from known_surfaces import full_torus
 
-from gpswb.core.mesh import IntArray, Mesh
+from gpswb.core.mesh import FloatArray, IntArray, Mesh
 from gpswb.core.robust.consensus import CREASE
 from gpswb.core.robust.polygons import certain_planes, coplanar_polygons
 from gpswb.core.robust.strips import STRIPS, few_polygons
@@ -96,3 +106,18 @@ def test_sides_that_meet_at_creases_are_planes() -> None:
             FacetGraph.of(mesh), polygons(mesh)[0], np.ones(len(mesh.triangles), dtype=bool)
         )
         assert few.tolist() == [expected] * len(few)
+
+
+def test_a_plane_that_ends_at_a_tiny_bend_stays_one() -> None:
+    # The bend turns so little from facet to facet that it is joined to the plane at first.
+    def surface(u: FloatArray, v: FloatArray) -> FloatArray:
+        x = 10.0 * u
+        beyond = np.maximum(x - 5.0, 0.0)
+        return np.column_stack([x, 10.0 * v, 1.5e-5 * beyond**2])
+
+    mesh = sheet(surface, 50, 3)
+    polygon, certain = polygons(mesh)
+    flat = (mesh.vertices[mesh.triangles][:, :, 0] < 5.0 + 1e-9).all(axis=1)
+    (number,) = np.unique(polygon[flat])
+    assert certain[number]
+    assert (polygon == number).sum() == flat.sum()
