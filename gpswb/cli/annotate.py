@@ -111,6 +111,7 @@ def _work(args: argparse.Namespace, draft: Path) -> tuple[list[str], list[str]]:
     from gpswb.errors import InputError
     from gpswb.gps.annotation import annotate
     from gpswb.gps.review import review
+    from gpswb.io.ap242.write import check_letters, read_text
     from gpswb.io.specification_file import read_specifications
 
     for option, asked in (("--ap242", args.ap242), ("--coloured", args.coloured)):
@@ -118,6 +119,9 @@ def _work(args: argparse.Namespace, draft: Path) -> tuple[list[str], list[str]]:
             raise InputError(f"{args.input}: {option} is for STEP files")
     if args.system and not args.datums:
         raise InputError("--system is made of the letters that --datums gives")
+    if args.ap242 and args.datums:
+        # Said before the partition, not after it.
+        check_letters(read_text(args.input), [letter for letter, _ in args.datums], str(args.input))
     rows = read_specifications(args.specs) if args.specs else ()
     settings = Settings(args.density, args.mode, args.method, args.kernel, unit=args.unit)
     with stage_bar() as progress:

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from pathlib import Path
 
 from gpswb.cad.pmi import Pmi
@@ -40,6 +40,18 @@ def read_text(path: Path) -> Part21:
         raise InputError(f"{path}: {error}") from None
 
 
+def check_letters(file: Part21, letters: Iterable[str], source: str) -> None:
+    """Refuse datum letters that a STEP file has.
+
+    Raises:
+        InputError: ``source`` has one of the letters.
+    """
+    present = {str(file[number]["DATUM"][-1]) for number in file.of("DATUM")}
+    for letter in letters:
+        if letter in present:
+            raise InputError(f"{source}: the file has a datum {letter} already")
+
+
 def write_ap242(
     path: Path, file: Part21, solid: Solid, letters: Letters, specified: Sequence[Specified]
 ) -> Pmi:
@@ -60,10 +72,7 @@ def write_ap242(
     """
     if solid.facemap is None or file.schema is None:
         raise InputError(f"{solid.source}: PMI can be appended to STEP files with a B-rep only")
-    present = {str(file[number]["DATUM"][-1]) for number in file.of("DATUM")}
-    for letter in letters:
-        if letter in present:
-            raise InputError(f"{solid.source}: the file has a datum {letter} already")
+    check_letters(file, letters, solid.source)
     shapes = shapes_of(file)
     faces = match_faces(file, shapes, solid.mesh, solid.facemap)
     if not faces:
