@@ -15,16 +15,15 @@ from gpswb.core.mesh import FloatArray, Mesh
 from gpswb.core.robust.evidence import (
     EXACT,
     LINES,
-    PROFILE,
     SURE_LINES,
     distinct_rulings,
     drifts,
     enough_evidence,
     is_exact,
-    places_on_tube,
     sagitta,
 )
 from gpswb.core.robust.growth import Grown, residual
+from gpswb.core.robust.one_profile import PROFILE, places_on_tube
 from gpswb.core.robust.surfaces import Kind
 from gpswb.core.robust.topology import FacetGraph
 

@@ -9,10 +9,11 @@ import numpy as np
 
 from gpswb.core.initial import InitialPartition
 from gpswb.core.mesh import BoolArray, IntArray, Mesh
-from gpswb.core.robust.evidence import CHANCE, EXACT, inner_vertices, sagitta
+from gpswb.core.robust.evidence import CHANCE, EXACT, sagitta
 from gpswb.core.robust.growth import Grown, stand_off, vertices_of
 from gpswb.core.robust.hosts import hosts_of, sides_that_go_on
 from gpswb.core.robust.leftover import classes_of
+from gpswb.core.robust.rim import inner_vertices
 from gpswb.core.robust.topology import FacetGraph
 from gpswb.core.tolerances import Tolerances
 

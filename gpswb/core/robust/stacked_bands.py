@@ -8,8 +8,8 @@ from collections.abc import Iterator
 import numpy as np
 
 from gpswb.core.mesh import BoolArray, FloatArray, IntArray, Mesh
-from gpswb.core.robust.evidence import BULGE, PROFILE, is_one_profile
 from gpswb.core.robust.growth import Grown, flood, vertices_of
+from gpswb.core.robust.one_profile import BULGE, PROFILE, is_one_profile
 from gpswb.core.robust.topology import FacetGraph
 
 TURN = np.deg2rad(40.0)
