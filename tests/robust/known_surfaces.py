@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import numpy as np
 from analytic_meshes import TURN, sheet
 from scipy.spatial.transform import Rotation
@@ -103,3 +105,20 @@ def misfit(kind: Kind, found: FloatArray, true: FloatArray) -> float:
         return float(max(turn, across, abs(found[7] - true[7]), abs(found[6] - there)))
     sizes = np.abs(np.abs(found[6:8]) - true[6:8]).max()
     return float(max(turn, across, abs(along), sizes))
+
+
+def slope_of_moves(
+    surface_after: Callable[[FloatArray], FloatArray], shape: tuple[int, int]
+) -> FloatArray:
+    """(b, 8, k) change of b surfaces with each of k coordinates, by central differences.
+
+    Args:
+        surface_after: the (b, 8) surfaces after a (b, k) step.
+        shape: b and k.
+    """
+    slope = np.empty((shape[0], 8, shape[1]))
+    for k in range(shape[1]):
+        step = np.zeros(shape)
+        step[:, k] = 1e-6
+        slope[..., k] = (surface_after(step) - surface_after(-step)) / 2e-6
+    return slope
