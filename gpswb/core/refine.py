@@ -72,9 +72,9 @@ def _merge(
 ) -> IntArray:
     """One round of merging for each number of motions, across smooth edges."""
     count = int(region.max(initial=-1)) + 1
-    smooth = mesh.facet_pairs[~crease]
-    smooth = smooth[(region[smooth] >= 0).all(axis=1)]
-    if not len(smooth):
+    border = region[mesh.facet_pairs[~crease]]
+    border = border[(border[:, 0] != border[:, 1]) & (border >= 0).all(axis=1)]
+    if not len(border):
         return region
     core = np.where(core_facets(mesh, region, crease), region, -1)
     edge = float(np.sqrt((edge_lengths(mesh) ** 2).mean()))
@@ -88,11 +88,11 @@ def _merge(
     )
     state = _state(mesh, core, count, confined_normals(mesh, region, crease))
     rule = SlippageRule(state, motions[0], limits)
+    kept = np.arange(count, dtype=np.int64)
     for k in motions:
         rule.k = k
-        kept = merge_regions(count, region[smooth], rule, 1e-12)
-        region = np.where(region >= 0, kept[region], -1)
-    return region
+        kept = merge_regions(count, kept[border], rule, 1e-12)[kept]
+    return np.where(region >= 0, kept[region], -1)
 
 
 def _state(mesh: Mesh, label: IntArray, count: int, corner_normals: CornerNormals) -> MergeState:

@@ -80,7 +80,8 @@ def cross_matrices(vectors: FloatArray) -> FloatArray:
 
 def twist_shift(origin: FloatArray) -> FloatArray:
     """(n, 6, 6) matrices T: a twist x' about each origin (n, 3) is x = T x' about zero."""
-    shift = np.tile(np.eye(6), (len(origin), 1, 1))
+    shift = np.zeros((len(origin), 6, 6))
+    shift[:, range(6), range(6)] = 1.0
     shift[:, 3:, :3] = cross_matrices(origin)
     return shift
 

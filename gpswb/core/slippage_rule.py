@@ -81,12 +81,14 @@ class SlippageRule:
         joint = self._joint_motions(first, second)
         kept = np.flatnonzero(self._keeps_motions(first, second, joint))
         left, first, second, joint = left[kept], first[kept], second[kept], joint[kept]
-        if self.k and len(left):
-            angle = self._agreement(first, second)
-            one = self._one_surface(first, second, joint) & (angle >= self._limits.similarity)
-            score[left] = np.where(one, angle * self._order(first, second), 0.0)
-        else:
+        if not self.k:
             score[left] = self._order(first, second)
+        elif len(left):
+            angle = self._agreement(first, second)
+            kept = np.flatnonzero(angle >= self._limits.similarity)
+            left, first, second = left[kept], first[kept], second[kept]
+            one = self._one_surface(first, second, joint[kept])
+            score[left] = np.where(one, angle[kept] * self._order(first, second), 0.0)
         return score
 
     def _may_merge(self, first: IntArray, second: IntArray) -> BoolArray:
@@ -157,13 +159,11 @@ class SlippageRule:
         union = self._union(first, second)
         metric = union.metric / np.maximum(union.weight, 1e-300)[:, None, None]
         lower = np.swapaxes(np.linalg.cholesky(metric + 1e-10 * np.eye(6)), 1, 2)
-        bases = []
-        for index in (first, second):
-            slips = self._slips(index)[:, :3]
-            # Motions ascend in mu, so orthonormalising keeps the slippable span in front.
-            basis = np.linalg.qr(lower @ self._twist[index, :, :3])[0]
-            bases.append(basis * slips[:, None, :])
-        return signature_similarity(bases[0], bases[1], self.k, self._limits.signature_width)
+        both = np.stack([first, second])
+        # Motions ascend in mu, so orthonormalising keeps the slippable span in front.
+        basis = np.linalg.qr(lower @ self._twist[both, :, :3])[0]
+        basis *= np.arange(3) < self._motions[both][..., None, None]
+        return signature_similarity(basis[0], basis[1], self.k, self._limits.signature_width)
 
     def _one_surface(self, first: IntArray, second: IntArray, joint: IntArray) -> BoolArray:
         """Whether unions that slip in two ways or more lie on one plane, sphere or cylinder."""
