@@ -9,6 +9,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from gpswb.core.blocks import blocks
+from gpswb.core.distinct import distinct
 from gpswb.core.facet_edges import edge_lengths, edges_of_sides
 from gpswb.core.facet_geometry import dot
 from gpswb.core.mesh import BoolArray, FloatArray, IntArray, Mesh
@@ -149,7 +150,7 @@ def region_samples(
         square = weights @ ((points - centre) ** 2).sum(axis=1) / max(area, 1e-300)
         yield RegionSample(
             facets=inside,
-            vertices=mesh.vertices[np.unique(mesh.triangles[inside])],
+            vertices=mesh.vertices[distinct(mesh.triangles[inside].ravel())],
             points=points,
             normals=corner_normals.at(inside).reshape(-1, 3),
             weights=weights,

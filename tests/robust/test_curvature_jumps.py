@@ -14,6 +14,7 @@ from gpswb.core.robust import trials
 from gpswb.core.robust.curvature_jumps import BORDER, curvature_jumps
 from gpswb.core.robust.growth import Grown, fit_facets
 from gpswb.core.robust.hypotheses import Explained, explain
+from gpswb.core.robust.jump_memory import JumpMemory
 from gpswb.core.robust.patches import Patches
 from gpswb.core.robust.reclaim import reclaim
 from gpswb.core.robust.rejoin import rejoin
@@ -87,11 +88,17 @@ def halves(mesh: Mesh) -> BoolArray:
     return second
 
 
+def parts(mesh: Mesh) -> IntArray:
+    """Parts of a mesh all of which hangs together."""
+    graph = FacetGraph.of(mesh)
+    all_ = np.ones(len(graph.pairs), dtype=bool)
+    return smooth_parts(mesh, graph, all_, JumpMemory(mesh, graph))[0]
+
+
 @pytest.mark.parametrize("second", [0.05, 0.0, -0.1])
 def test_parts_end_where_curvature_jumps(second: float) -> None:
     mesh = arcs(0.1, second)
-    graph = FacetGraph.of(mesh)
-    part, _ = smooth_parts(mesh, graph, np.ones(len(graph.pairs), dtype=bool))
+    part = parts(mesh)
     assert len(np.unique(part)) == 2
     assert np.array_equal(part == part[-1], halves(mesh))
 
@@ -110,6 +117,24 @@ def test_a_part_is_of_one_face_where_no_border_is_in_it(
     asked = np.array([True, False])
     found = unbroken_parts(mesh, graph, part, graph.smooth, asked)
     assert found.tolist() == [whole, False]
+
+
+def test_jumps_are_sought_again_where_something_has_changed_around() -> None:
+    mesh = arcs(0.1, 0.05)
+    graph = FacetGraph.of(mesh)
+    jumps = JumpMemory(mesh, graph)
+    joined = np.ones(len(graph.pairs), dtype=bool)
+    jumps.across(joined)
+    # A hole in the middle of the border, and two pairs less that are anywhere.
+    joined[
+        (np.abs(mesh.centroids[graph.pairs] - mesh.centroids.mean(axis=0)) < 2.0).all((1, 2))
+    ] = 0
+    joined[[5, 900]] = False
+    for now in (joined, ~joined, np.ones_like(joined)):
+        jump, none = jumps.across(now)
+        again, none_again = curvature_jumps(mesh, graph, np.flatnonzero(now), now)
+        assert jump == pytest.approx(again, abs=1e-9)
+        assert np.array_equal(none, none_again)
 
 
 def test_of_a_coarse_part_nothing_is_said() -> None:
@@ -144,9 +169,7 @@ def test_a_part_is_fitted_once_however_wide_the_tolerance(monkeypatch: pytest.Mo
 
 def test_a_smooth_face_is_one_part() -> None:
     for mesh in (arcs(0.1, 0.1), arcs(0.1, 0.08), sheet(wave, FACETS, 48)):
-        graph = FacetGraph.of(mesh)
-        part, _ = smooth_parts(mesh, graph, np.ones(len(graph.pairs), dtype=bool))
-        assert len(np.unique(part)) == 1
+        assert len(np.unique(parts(mesh))) == 1
 
 
 def test_an_exact_cylinder_takes_back_what_a_rough_neighbour_has_taken() -> None:

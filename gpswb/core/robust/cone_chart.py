@@ -14,7 +14,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from gpswb.core.mesh import FloatArray
-from gpswb.core.robust.turns import TINY, turned, turning
+from gpswb.core.robust.turns import TINY, lengths, turned, turning
 
 LEAST = 0.1
 """Distance from the axis, in sizes of the patch, that the point has at least: at the apex there is
@@ -45,7 +45,7 @@ class ConeChart:
         x = points - surface[:, :3]
         t = np.einsum("bk,bk->b", x, u)
         radial = x - t[:, None] * u
-        rho = np.linalg.norm(radial, axis=1)
+        rho = lengths(radial)
         radial /= np.maximum(rho, TINY)[:, None]
         normal = cos[:, None] * radial - sin[:, None] * u
         ruling = cos[:, None] * u + sin[:, None] * radial
@@ -66,7 +66,7 @@ class ConeChart:
             radius = 1.0 / self.curvature
             out[:, :3] = self.foot - radius[:, None] * self.normal
         out[:, 3:6] = self._axis
-        out[:, 3:6] /= np.maximum(np.linalg.norm(out[:, 3:6], axis=1), TINY)[:, None]
+        out[:, 3:6] /= np.maximum(lengths(out[:, 3:6]), TINY)[:, None]
         out[:, 6], out[:, 7] = radius, self.angle
         return out
 

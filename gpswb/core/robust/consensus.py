@@ -116,7 +116,7 @@ def _descend(
         if not len(order):
             return found
         tried = np.zeros(len(size), dtype=bool)
-        left = np.zeros(len(size))
+        left, freeform = np.zeros(len(size)), np.full(len(size), np.nan)
         for start in range(0, len(order), BATCH):
             batch = order[start : start + BATCH]
             known = len(found)
@@ -126,11 +126,12 @@ def _descend(
                 continue
             tried[batch] = True
             found += _grow_all(mesh, graph, trial.hypotheses, free, tolerance)
-            _note_freeform(part, batch, trial.freeform[trial.bent], doubt, smooth)
+            freeform[batch] = trial.freeform[trial.bent]
             far = trial.residual > np.maximum(ALIKE * tolerance, FREEFORM * trial.bend)
             left[batch] = np.where(far & trial.fresh, trial.residual, 0.0)[trial.bent]
             if start >= MOST and len(found) == known:
                 break
+        _note_freeform(freeform, part, doubt, smooth)
         least = LEAST if exact else FEW
         part = np.where(free, part, -1)
         whole = unbroken_parts(mesh, graph, part, flat, left > 0.0)
@@ -142,19 +143,18 @@ def _descend(
 
 
 def _note_freeform(
-    part: IntArray, batch: IntArray, freeform: FloatArray, doubt: FloatArray, smooth: FloatArray
+    freeform: FloatArray, part: IntArray, doubt: FloatArray, smooth: FloatArray
 ) -> None:
     """Note that parts look freeform.
 
     Args:
+        freeform: (k,) mm, what the parts' tori leave, 0 where they don't look so, NaN where none
+            was fitted.
         part: (m,) part of each facet, -1 for none.
-        batch: (b,) parts; ``freeform`` (b,) mm, what their tori leave, 0 where they don't look so.
         doubt: (m,) mm, what the torus of the whole left that each part is a half of; brought up to
             date. Where that looked freeform, too, it is noted in ``smooth`` (m,).
     """
-    residual = np.full(int(part.max()) + 2, np.nan)
-    residual[batch] = freeform
-    seen = residual[part]  # the last entry is that of facets in no part
+    seen = np.append(freeform, np.nan)[part]
     again = (seen > 0.0) & (doubt > 0.0)
     smooth[again] = doubt[again]
     told = np.isfinite(seen)
@@ -199,8 +199,8 @@ def _around_seeds(
     for rings in RINGS:
         group = connected_parts(np.where(free, 0, -1), graph.pairs[free[graph.pairs].all(axis=1)])
         few = np.append(np.bincount(group[group >= 0]) <= SMALL, False)[group]
-        passable = _passable(graph, free)
-        open_ = free & (smooth <= tolerance) & passable.any(axis=1)
+        open_ = free & (smooth <= tolerance)
+        open_[open_] = _passable(graph, free, np.flatnonzero(open_)).any(axis=1)
         seeds = np.flatnonzero(open_ & few)
         if exact:
             seeds = np.concatenate([seeds, _spread(mesh, graph, open_ & ~few, rings)])
@@ -208,11 +208,10 @@ def _around_seeds(
         for start in range(0, len(seeds), BATCH):
             batch = seeds[start : start + BATCH]
             batch = batch[free[batch]]
-            passable = _passable(graph, free)
-            batch = batch[passable[batch].any(axis=1)]
+            batch = batch[_passable(graph, free, batch).any(axis=1)]
             if not len(batch):
                 continue
-            facets = rings_of(graph, batch[:, None], passable, rings)
+            facets = rings_of(graph, batch[:, None], lambda f: _passable(graph, free, f), rings)
             trial = trials.of(facets, (facets >= 0).sum(axis=1), tolerance)
             found += _grow_all(mesh, graph, trial.hypotheses, free, tolerance)
     return found
@@ -246,9 +245,9 @@ def _smooth_and_alike(mesh: Mesh, graph: FacetGraph, free: BoolArray) -> BoolArr
     return chosen
 
 
-def _passable(graph: FacetGraph, free: BoolArray) -> BoolArray:
-    neighbour = graph.neighbour
-    passable: BoolArray = (
-        (neighbour >= 0) & free[np.maximum(neighbour, 0)] & (np.abs(graph.dihedral) < CREASE)
-    )
+def _passable(graph: FacetGraph, free: BoolArray, facets: IntArray) -> BoolArray:
+    """(..., 3) sides of facets with a free facet behind and no crease."""
+    neighbour = graph.neighbour[facets]
+    passable: BoolArray = (neighbour >= 0) & free[neighbour]
+    passable &= np.abs(graph.dihedral[facets]) < CREASE
     return passable

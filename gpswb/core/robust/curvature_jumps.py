@@ -69,7 +69,7 @@ def curvature_jumps(
 def _jumps(
     mesh: Mesh, graph: FacetGraph, edges: IntArray, passable: BoolArray, border: float
 ) -> tuple[FloatArray, BoolArray]:
-    facets = rings_of(graph, graph.pairs[edges], passable, RINGS)
+    facets = rings_of(graph, graph.pairs[edges], lambda f: passable[f], RINGS)
     vertices = vertices_of_rows(mesh, facets)
     present = vertices >= 0
     ends = mesh.vertices[graph.pair_edges[edges]]

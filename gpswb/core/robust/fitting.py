@@ -10,6 +10,7 @@ from gpswb.core.robust.cone_chart import ConeChart
 from gpswb.core.robust.first_guess import cylinder_guess, guess, torus_starts
 from gpswb.core.robust.surfaces import Kind, distance, distance_jacobian
 from gpswb.core.robust.torus_chart import TorusChart
+from gpswb.core.robust.turns import lengths
 
 ITERATIONS = 30
 """Levenberg-Marquardt steps at most; exact data converge quadratically in fewer than ten."""
@@ -127,74 +128,73 @@ def fit(
     Returns:
         (b, 8) surfaces; the direction is a unit vector.
     """
-    surface = surface.copy()
+    out = surface.copy()
     b = len(surface)
     # In memory axis by axis, as distances are computed.
     axes = np.ascontiguousarray(np.swapaxes(points, 1, 2))
-    points = np.swapaxes(axes, 1, 2)
     total = np.maximum(weights.sum(axis=1), 1e-12)
-    middle = (weights[:, None] @ points)[:, 0] / total[:, None]
+    middle = (axes @ weights[..., None])[..., 0] / total[:, None]
     near = np.zeros(b) if enough is None else np.broadcast_to(np.square(enough), b) * total
+    robust = robust_floor is not None
+    floor = np.broadcast_to(0.0 if robust_floor is None else robust_floor, b)
+    hopeless = HOPELESS if enough is not None and not robust else STALLED
     damping, scale = np.full(b, 1e-5), np.full(b, np.inf)
-    idle = np.zeros(b, dtype=np.int64)
-    live = np.arange(b)
-    p, weight = points, weights
-    floor = None if robust_floor is None else np.broadcast_to(robust_floor, b)
-    hopeless = HOPELESS if enough is not None and floor is None else STALLED
-    d, rows = _distance_rows(kind, surface, p)
+    idle, live = np.zeros(b, dtype=np.int64), np.arange(b)
+    d, rows = _distance_rows(kind, surface, axes)
     for step in range(iterations):
-        if floor is not None:
-            median = _weighted_median(np.abs(d), weight)
-            falling = np.minimum(2.0 * median, scale[live] * 0.7)
-            scale[live] = np.maximum(falling, floor[live])
-        now = None if floor is None else scale[live]
-        w = weight if now is None else weight * _influence(d, now)
-        cost = _cost(d, weight, now)
-        chart = CHARTS[kind].at(surface[live], middle[live]) if kind in CHARTS else None
+        w = weights
+        if robust:
+            median = _weighted_median(np.abs(d), weights)
+            scale = np.maximum(np.minimum(2.0 * median, scale * 0.7), floor)
+            w = weights * _influence(d, scale)
+        cost = _cost(d, weights, scale if robust else None)
+        chart = CHARTS[kind].at(surface, middle) if kind in CHARTS else None
         slope = rows if chart is None else np.swapaxes(chart.derivative(), 1, 2) @ rows
         weighted = slope * w[:, None]
         h = weighted @ np.swapaxes(slope, 1, 2)
-        g = (weighted @ d[..., None])[..., 0]
+        g = weighted @ d[..., None]
         # The gauge freedoms (a point may slide along its axis) make h singular: damping fixes them.
-        size = np.maximum(np.trace(h, axis1=1, axis2=2), 1e-30)
-        each = range(h.shape[1])
-        h[:, each, each] += damping[live, None] * size[:, None] / 8 + 1e-14 * size[:, None]
-        move = -np.asarray(np.linalg.solve(h, g[..., None])[..., 0], dtype=np.float64)
+        diagonal = h.reshape(len(h), -1)[:, :: h.shape[1] + 1]
+        size = np.maximum(diagonal.sum(axis=1), 1e-30)
+        diagonal += ((damping / 8 + 1e-14) * size)[:, None]
+        move = -np.asarray(np.linalg.solve(h, g)[..., 0], dtype=np.float64)
         trial: FloatArray
         if chart is None:
-            trial = surface[live] + move
-            trial[:, 3:6] /= np.maximum(np.linalg.norm(trial[:, 3:6], axis=1), 1e-12)[:, None]
+            trial = surface + move
+            trial[:, 3:6] /= np.maximum(lengths(trial[:, 3:6]), 1e-12)[:, None]
         else:
             trial = chart.moved(move).surface
-        d_new, rows_new = _distance_rows(kind, trial, p)
-        cost_new = _cost(d_new, weight, now)
+        d_new, rows_new = _distance_rows(kind, trial, axes)
+        cost_new = _cost(d_new, weights, scale if robust else None)
         better = (cost_new <= cost) & np.isfinite(trial).all(axis=1)
-        surface[live[better]] = trial[better]
-        damping[live] = np.where(better, damping[live] * 0.03, damping[live] * 10.0)
-        d_new[~better], rows_new[~better] = d[~better], rows[~better]
-        d, rows = d_new, rows_new
-        moving = (np.abs(move).max(axis=1) > 1e-13) & (damping[live] < 1e8)
-        moving &= ~better | (cost_new > SURE**2 * near[live])
-        least = np.where(cost_new > FAR**2 * near[live], hopeless, STALLED)
-        idle[live] = np.where(
-            better, np.where(cost_new < least * cost, 0, idle[live] + 1), idle[live]
-        )
-        moving &= idle[live] < PATIENCE
-        if floor is not None and step < FIRST:
-            moving[:] = True
+        damping = np.where(better, damping * 0.03, damping * 10.0)
+        worse = np.flatnonzero(~better)
+        if len(worse):
+            trial[worse], d_new[worse], rows_new[worse] = surface[worse], d[worse], rows[worse]
+        surface, d, rows = trial, d_new, rows_new
+        moving = (np.abs(move).max(axis=1) > 1e-13) & (damping < 1e8)
+        moving &= ~better | (cost_new > SURE**2 * near)
+        least = np.where(cost_new > FAR**2 * near, hopeless, STALLED)
+        idle = np.where(better & (cost_new < least * cost), 0, idle + better)
+        moving &= idle < PATIENCE
+        if (robust and step < FIRST) or moving.all():
+            continue
+        out[live[~moving]] = surface[~moving]
         if not moving.any():
-            break
-        if not moving.all():
-            live, d, rows = live[moving], d[moving], rows[moving]
-            p, weight = np.swapaxes(axes[live], 1, 2), weights[live]
-    return surface
+            return out
+        live, surface, axes, weights = live[moving], surface[moving], axes[moving], weights[moving]
+        middle, near, floor = middle[moving], near[moving], floor[moving]
+        damping, scale, idle = damping[moving], scale[moving], idle[moving]
+        d, rows = d[moving], rows[moving]
+    out[live] = surface
+    return out
 
 
 def _distance_rows(
-    kind: Kind, surface: FloatArray, points: FloatArray
+    kind: Kind, surface: FloatArray, axes: FloatArray
 ) -> tuple[FloatArray, FloatArray]:
-    """(b, n) distances and (b, 8, n) their derivatives."""
-    d, jacobian = distance_jacobian(kind, surface, points)
+    """(b, n) distances of points, (b, 3, n) axis by axis, and (b, 8, n) their derivatives."""
+    d, jacobian = distance_jacobian(kind, surface, np.swapaxes(axes, 1, 2))
     return d, np.swapaxes(jacobian, 1, 2)
 
 

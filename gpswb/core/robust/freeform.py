@@ -9,6 +9,7 @@ from gpswb.core.facet_edges import side_lengths
 from gpswb.core.mesh import BoolArray, IntArray, Mesh
 from gpswb.core.robust.evidence import is_exact
 from gpswb.core.robust.growth import Grown
+from gpswb.core.robust.jump_memory import JumpMemory
 from gpswb.core.robust.smooth_parts import smooth_parts
 from gpswb.core.robust.strips import few_polygons
 from gpswb.core.robust.topology import SMOOTH, FacetGraph
@@ -23,7 +24,12 @@ either side, and only the ends of the piece are within the face."""
 
 
 def dissolve(
-    mesh: Mesh, graph: FacetGraph, found: list[Grown], polygon: IntArray, whole: BoolArray
+    mesh: Mesh,
+    graph: FacetGraph,
+    found: list[Grown],
+    polygon: IntArray,
+    whole: BoolArray,
+    jumps: JumpMemory,
 ) -> list[Grown]:
     """Drop the weak regions that are pieces of something unexplained, until none is left.
 
@@ -33,6 +39,7 @@ def dissolve(
         found: regions, without common facets.
         polygon: (m,) coplanar polygon of each facet.
         whole: (m,) facets that could be explained: those of no region are not, yet.
+        jumps: the jumps of curvature that are known.
     """
     weak = [not is_exact(mesh, g) for g in found]
     if not any(weak):
@@ -44,7 +51,8 @@ def dissolve(
         unexplained[g.facets] = False
     # A plane of few facets proves nothing either, but it ends where it ends.
     unexplained &= ~few_polygons(graph, polygon, unexplained)
-    goes_on = _goes_on(mesh, graph, unexplained | (owner >= 0) & np.append(weak, False)[owner])
+    open_ = unexplained | (owner >= 0) & np.append(weak, False)[owner]
+    goes_on = _goes_on(mesh, graph, open_, jumps)
     length = side_lengths(mesh)
     keep = [True] * len(found)
     changed = True
@@ -68,9 +76,9 @@ def dissolve(
     return [g for g, kept in zip(found, keep, strict=True) if kept]
 
 
-def _goes_on(mesh: Mesh, graph: FacetGraph, open_: BoolArray) -> BoolArray:
+def _goes_on(mesh: Mesh, graph: FacetGraph, open_: BoolArray, jumps: JumpMemory) -> BoolArray:
     """(m, 3) edges between open facets across which curvature is seen not to jump."""
     joined = open_[graph.pairs].all(axis=1) & graph.smooth
-    part, seen = smooth_parts(mesh, graph, joined)
+    part, seen = smooth_parts(mesh, graph, joined, jumps)
     within = seen & (part[graph.pairs[:, 0]] == part[graph.pairs[:, 1]])
     return graph.sides(np.flatnonzero(within))

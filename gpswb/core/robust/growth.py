@@ -8,6 +8,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from gpswb.core.distinct import distinct
 from gpswb.core.mesh import BoolArray, FloatArray, IntArray, Mesh
 from gpswb.core.robust.fitting import fit, fit_patches
 from gpswb.core.robust.surfaces import UNKNOWNS, Kind, distance, largest_curvature
@@ -22,6 +23,9 @@ LARGEST_TURN = 1.25
 
 REFITS = 4
 """Rounds of fitting and growing; exact data settle in two."""
+
+AHEAD = 256
+"""Facets around a region that are tested together, at least: numpy takes as long for a few."""
 
 MOST_RINGS = 16
 """Rings of facets around a region that are tested together, at most."""
@@ -121,7 +125,7 @@ def grow(
 
 def refit(mesh: Mesh, kind: Kind, surface: FloatArray, facets: IntArray) -> FloatArray:
     """(8,) the surface fitted to the vertices of facets by least squares."""
-    vertices = np.unique(mesh.triangles[facets])
+    vertices = distinct(mesh.triangles[facets].ravel())
     if len(vertices) > SAMPLE:
         vertices = vertices[np.linspace(0, len(vertices) - 1, SAMPLE).astype(np.int64)]
     points = mesh.vertices[vertices]
@@ -137,7 +141,7 @@ def fit_facets(mesh: Mesh, kind: Kind, facets: IntArray) -> FloatArray:
     """(8,) the surface of a kind nearest to the vertices of facets, found without a first guess."""
     if len(facets) > SAMPLE:
         facets = facets[np.linspace(0, len(facets) - 1, SAMPLE).astype(np.int64)]
-    points = mesh.vertices[np.unique(mesh.triangles[facets])]
+    points = vertices_of(mesh, facets)
     centre = points.mean(axis=0)
     scale = max(float(np.abs(points - centre).max()), 1e-300)
     share = np.sqrt(mesh.areas[facets] / max(float(mesh.areas[facets].sum()), 1e-300))
@@ -183,7 +187,7 @@ def regions_of(label: IntArray, surfaces: Sequence[Grown]) -> list[Grown]:
 
 def vertices_of(mesh: Mesh, facets: IntArray) -> FloatArray:
     """(n, 3) mm, the vertices of facets, each once."""
-    return mesh.vertices[np.unique(mesh.triangles[facets])]
+    return mesh.vertices[distinct(mesh.triangles[facets].ravel())]
 
 
 def to_local(surface: FloatArray, centre: FloatArray, scale: FloatArray, kind: Kind) -> FloatArray:
@@ -235,13 +239,13 @@ def flood(
     _, normal = distance(kind, surface[None], mesh.centroids[seed][None])
     side = float(np.sign(np.einsum("ik,ik->", normal[0], mesh.facet_normals[seed])))
     front = seed if lying else seed[on_surface(mesh, kind, surface, seed, tolerance, side)]
-    untested, lies = allowed.copy(), np.zeros(len(allowed), dtype=bool)
+    # The last entry is that of the neighbour behind a border, -1: there is none.
+    untested, lies = np.append(allowed, False), np.zeros(len(allowed) + 1, dtype=bool)
     untested[seed] = False
     taken = [front]
-    rings = 1
+    most = AHEAD
     while len(front):
-        # Several rings are tested together: numpy takes as long for a few facets as for hundreds.
-        ahead = _rings_ahead(graph, front, untested, lies, rings)
+        ahead, rings = _rings_ahead(graph, front, untested, lies, most)
         lies[ahead] = on_surface(mesh, kind, surface, ahead, tolerance, side)
         before = len(taken)
         for _ in range(rings):
@@ -252,28 +256,28 @@ def flood(
                 break
         # Where most was tested in vain, the border is near.
         fruitful = 2 * sum(map(len, taken[before:])) > len(ahead)
-        rings = min(2 * rings, MOST_RINGS) if fruitful else 1
+        most = 2 * most if fruitful else AHEAD
     return np.concatenate(taken)
 
 
 def _rings_ahead(
-    graph: FacetGraph, front: IntArray, untested: BoolArray, lies: BoolArray, rings: int
-) -> IntArray:
-    """Untested facets within so many steps over facets that may lie on the surface, or are known
-    to; they are no longer untested afterwards."""
-    found = []
-    for _ in range(rings):
+    graph: FacetGraph, front: IntArray, untested: BoolArray, lies: BoolArray, enough: int
+) -> tuple[IntArray, int]:
+    """Untested facets within some steps over facets that may lie on the surface, or are known to,
+    enough of them if there are, and the number of steps; they are no longer untested afterwards."""
+    found: list[IntArray] = []
+    count = 0
+    while len(front) and count < enough and len(found) < MOST_RINGS:
         known = _step(graph, front, lies)
         front = _step(graph, front, untested)
         untested[front] = False
         found.append(front)
+        count += len(front)
         front = np.concatenate([front, known])
-        if not len(front):
-            break
-    return np.concatenate(found)
+    return np.concatenate(found), len(found)
 
 
 def _step(graph: FacetGraph, front: IntArray, among: BoolArray) -> IntArray:
     """The facets next to a front, of those that are marked, each once and ascending."""
     step = graph.neighbour[front].ravel()
-    return np.unique(step[(step >= 0) & among[step]])
+    return distinct(step[among[step]])

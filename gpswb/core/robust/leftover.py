@@ -13,6 +13,7 @@ from gpswb.core.refine import refine_regions
 from gpswb.core.region_samples import confined_normals, region_samples
 from gpswb.core.robust.consensus import CREASE
 from gpswb.core.robust.decide import by_gap
+from gpswb.core.robust.jump_memory import JumpMemory
 from gpswb.core.robust.parts import connected_parts, halves
 from gpswb.core.robust.smooth_parts import smooth_parts
 from gpswb.core.robust.strips import few_polygons
@@ -35,6 +36,7 @@ def label_leftover(
     first: InitialPartition,
     polygon: IntArray,
     label: IntArray,
+    jumps: JumpMemory,
     sigma: float,
     tolerances: Tolerances,
 ) -> tuple[IntArray, BoolArray]:
@@ -50,6 +52,7 @@ def label_leftover(
         first: the first step's result.
         polygon: (m,) coplanar polygon of each facet.
         label: (m,) label of the explained facets, -1 for the others.
+        jumps: the jumps of curvature that are known.
         sigma: noise of the vertices, mm.
         tolerances: thresholds of merging and recognition.
 
@@ -66,7 +69,7 @@ def label_leftover(
         return out, few
     joined = rest[graph.pairs].all(axis=1)
     joined &= (np.abs(graph.pair_dihedral) < CREASE) & ~first.crease
-    part = np.where(rest, smooth_parts(mesh, graph, joined)[0], -1)
+    part = np.where(rest, smooth_parts(mesh, graph, joined, jumps)[0], -1)
     part, _ = number_facet_regions(part, mesh)
     names = classes_of(mesh, part, first.crease, sigma, tolerances)
     open_ = names == "complex"
@@ -159,6 +162,8 @@ def classes_of(
 ) -> np.ndarray[tuple[int], np.dtype[np.str_]]:
     """(k,) invariance class that fits each region 0..k-1 best."""
     count = int(region.max(initial=-1)) + 1
+    if not count:
+        return np.array([], dtype=np.str_)
     normals = confined_normals(mesh, region, crease)
     samples = region_samples(mesh, region, count, normals)
     return np.array([by_gap(weigh(s, sigma, tolerances), {}) for s in samples])

@@ -61,10 +61,12 @@ def join_faces(
     def classes(region: IntArray) -> list[InvarianceClass]:
         return list(classes_of(mesh, region, first.crease, sigma, tolerances))
 
-    name = [known.get(u, c) for u, c in zip(used.tolist(), classes(number), strict=True)]
+    settled = np.array([u in known for u in used.tolist()])
+    others = np.where(settled, -1, np.cumsum(~settled) - 1)
+    found = iter(classes(np.append(others, -1)[number]))
+    name = [known[u] if u in known else next(found) for u in used.tolist()]
     borders = SeenBorders(mesh, graph, rim, number)
-    settled = [u in known for u in used.tolist()]
-    rule = _OneClass(borders, number, name, settled, classes)
+    rule = _OneClass(borders, number, name, settled.tolist(), classes)
     kept = merge_regions(len(used), borders.ends, rule, SEEN)
     # What was joined lies on no surface known so far.
     joined = np.bincount(kept, minlength=len(used)) > 1

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -74,18 +75,30 @@ def patches_around(
         passable: (m, 3) bool: which edges of a facet may be crossed.
         rings: number of steps.
     """
-    return patches_of(mesh, rings_of(graph, seeds[:, None], passable, rings))
+    return patches_of(mesh, rings_of(graph, seeds[:, None], lambda f: passable[f], rings))
 
 
-def rings_of(graph: FacetGraph, seeds: IntArray, passable: BoolArray, rings: int) -> IntArray:
-    """(b, f) facets within some steps of (b, k) seeds, -1 for padding; see ``patches_around``."""
-    facets = front = seeds
+def rings_of(
+    graph: FacetGraph, seeds: IntArray, passable: Callable[[IntArray], BoolArray], rings: int
+) -> IntArray:
+    """Facets within some steps of others.
+
+    Args:
+        graph: the adjacency.
+        seeds: (b, k) facets.
+        passable: which sides (..., 3) of facets may be crossed.
+        rings: number of steps.
+
+    Returns:
+        (b, f) facets, -1 for padding.
+    """
+    found, front = [seeds], seeds
     for _ in range(rings):
         safe = np.maximum(front, 0)
-        step = np.where(passable[safe] & (front >= 0)[..., None], graph.neighbour[safe], -1)
-        facets = _unique_rows(np.concatenate([facets, step.reshape(len(seeds), -1)], axis=1))
+        step = np.where(passable(safe) & (front >= 0)[..., None], graph.neighbour[safe], -1)
         front = _unique_rows(step.reshape(len(seeds), -1))
-    return facets
+        found.append(front)
+    return _unique_rows(np.concatenate(found, axis=1))
 
 
 def vertices_of_rows(mesh: Mesh, facets: IntArray) -> IntArray:
@@ -126,10 +139,12 @@ def patches_of(mesh: Mesh, facets: IntArray) -> Patches:
 
 def _unique_rows(index: IntArray) -> IntArray:
     """Each row's distinct indices, padded with -1 behind."""
-    ordered = -np.sort(-index, axis=1)
-    repeated = np.zeros(ordered.shape, dtype=bool)
-    repeated[:, 1:] = ordered[:, 1:] == ordered[:, :-1]
-    ordered = np.where(repeated, -1, ordered)
-    ordered = -np.sort(-ordered, axis=1)
-    width = int((ordered >= 0).sum(axis=1).max(initial=1))
-    return ordered[:, : max(width, 1)]
+    # Negative, so that the padding is sorted behind; 32 bits are sorted in half the time.
+    ordered = np.negative(index, dtype=np.int32)
+    ordered.sort(axis=1)
+    kept = ordered <= 0
+    kept[:, 1:] &= ordered[:, 1:] != ordered[:, :-1]
+    count = kept.sum(axis=1)
+    out = np.full((len(index), max(int(count.max(initial=1)), 1)), -1, dtype=np.int64)
+    out[np.arange(out.shape[1]) < count[:, None]] = -ordered[kept]
+    return out

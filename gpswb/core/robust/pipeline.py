@@ -23,6 +23,7 @@ from gpswb.core.robust.describe import describe_surface
 from gpswb.core.robust.enclosed import take_enclosed
 from gpswb.core.robust.evidence import CHANCE, EXACT, INSIDE, sagitta
 from gpswb.core.robust.growth import Grown, fit_facets, regions_of, stand_off, vertices_of
+from gpswb.core.robust.jump_memory import JumpMemory
 from gpswb.core.robust.leftover import label_leftover
 from gpswb.core.robust.one_face import join_faces
 from gpswb.core.robust.polygons import certain_planes, coplanar_polygons
@@ -99,11 +100,12 @@ def _nominal_regions(
     graph = FacetGraph.of(mesh)
     polygon = coplanar_polygons(mesh, graph, TIERS[0] * mesh.diagonal)
     certain = certain_planes(mesh, graph, polygon, TIERS[0] * mesh.diagonal)
-    surfaces = simple_surfaces(mesh, graph, polygon, certain, first.region, clock)
+    jumps = JumpMemory(mesh, graph)
+    surfaces = simple_surfaces(mesh, graph, polygon, certain, first.region, jumps, clock)
     label = np.full(len(mesh.triangles), -1, dtype=np.int64)
     for i, grown in enumerate(surfaces):
         label[grown.facets] = i
-    label, flat = label_leftover(mesh, graph, first, polygon, label, sigma, tolerances)
+    label, flat = label_leftover(mesh, graph, first, polygon, label, jumps, sigma, tolerances)
     alone = label
     label = take_enclosed(mesh, graph, label, tolerances.confident_facets)
     sure = certain[polygon] & (label == alone)

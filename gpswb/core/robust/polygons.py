@@ -8,6 +8,7 @@ from itertools import combinations
 import numpy as np
 
 from gpswb.core.blocks import blocks
+from gpswb.core.distinct import distinct
 from gpswb.core.facet_edges import edge_lengths, heights_across
 from gpswb.core.facet_geometry import dot
 from gpswb.core.mesh import BoolArray, FloatArray, IntArray, Mesh
@@ -109,7 +110,7 @@ def certain_planes(mesh: Mesh, graph: FacetGraph, polygon: IntArray, tolerance: 
     start = np.r_[0, np.cumsum(count)]
     certain = np.zeros(k, dtype=bool)
     for i in np.flatnonzero(count >= 3):
-        vertices = np.unique(mesh.triangles[order[start[i] : start[i + 1]]])
+        vertices = distinct(mesh.triangles[order[start[i] : start[i + 1]]].ravel())
         if len(vertices) >= 5:
             certain[i] = not _on_two_lines(mesh.vertices[vertices], tolerance)
     goes_on = _gentle_share(mesh, graph, polygon, k) >= GENTLE_SHARE

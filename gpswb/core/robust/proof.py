@@ -15,7 +15,7 @@ from gpswb.core.robust.evidence import (
     is_exact,
     sagitta,
 )
-from gpswb.core.robust.growth import Grown, fit_facets, flood, grow, residual
+from gpswb.core.robust.growth import Grown, fit_facets, flood, grow, residual, vertices_of
 from gpswb.core.robust.hypotheses import KINDS, Hypothesis
 from gpswb.core.robust.surfaces import distance
 from gpswb.core.robust.topology import FacetGraph
@@ -60,7 +60,7 @@ def simplest(
     """
     limit = max(tolerance, min(4.0 * tolerance, SIMPLER * sagitta(mesh, grown)))
     some = grown.facets[spread(len(grown.facets), SAMPLE)]
-    points = mesh.vertices[np.unique(mesh.triangles[grown.facets])]
+    points = vertices_of(mesh, grown.facets)
     for kind in KINDS[: KINDS.index(grown.kind)]:
         near = Grown(kind, fit_facets(mesh, kind, some), some)
         if residual(mesh, near) > limit:

@@ -11,6 +11,7 @@ from gpswb.core.robust.consensus import find_surfaces
 from gpswb.core.robust.evidence import INSIDE, is_exact
 from gpswb.core.robust.freeform import dissolve
 from gpswb.core.robust.growth import Grown, fit_facets, flood
+from gpswb.core.robust.jump_memory import JumpMemory
 from gpswb.core.robust.reclaim import reclaim
 from gpswb.core.robust.rejoin import rejoin
 from gpswb.core.robust.stacked_bands import stacked_bands
@@ -34,6 +35,7 @@ def simple_surfaces(
     polygon: IntArray,
     certain: BoolArray,
     initial: IntArray,
+    jumps: JumpMemory,
     clock: StageClock,
 ) -> list[Grown]:
     """Planes, cylinders, cones, spheres and tori with the connected facets that prove them.
@@ -44,6 +46,7 @@ def simple_surfaces(
         polygon: (m,) coplanar polygon of each facet.
         certain: (k,) polygons that are planes unless a surface takes them whole.
         initial: (m,) initial regions, where the search begins.
+        jumps: the jumps of curvature that are known.
         clock: told of the progress.
     """
     fine, wide = TIERS[0] * mesh.diagonal, TIERS[-1] * mesh.diagonal
@@ -70,7 +73,7 @@ def simple_surfaces(
             found += stacked_bands(mesh, graph, found, whole & ~certain[polygon], fine)
         found = compete(mesh, graph, found, polygon, certain, fine, wide)
         clock.report("refine", (number + 1) / (len(TIERS) + 1))
-    found = dissolve(mesh, graph, found, polygon, whole & ~certain[polygon])
+    found = dissolve(mesh, graph, found, polygon, whole & ~certain[polygon], jumps)
     # What the dissolved regions had taken may belong to those that stay.
     found = compete(mesh, graph, found, polygon, certain, fine, wide)
     found = reclaim(mesh, graph, found, certain[polygon], fine)

@@ -10,7 +10,8 @@ from scipy.sparse.csgraph import connected_components, minimum_spanning_tree
 from gpswb.core.facet_edges import edge_lengths
 from gpswb.core.merging import merge_regions
 from gpswb.core.mesh import BoolArray, FloatArray, IntArray, Mesh
-from gpswb.core.robust.curvature_jumps import BORDER, curvature_jumps
+from gpswb.core.robust.curvature_jumps import BORDER
+from gpswb.core.robust.jump_memory import JumpMemory
 from gpswb.core.robust.topology import FacetGraph
 
 DISTINCT = 0.25
@@ -23,7 +24,9 @@ ROOT = 1e-9
 """Weight that ties cores together: less than any edge has, for an edge without weight is none."""
 
 
-def smooth_parts(mesh: Mesh, graph: FacetGraph, joined: BoolArray) -> tuple[IntArray, BoolArray]:
+def smooth_parts(
+    mesh: Mesh, graph: FacetGraph, joined: BoolArray, jumps: JumpMemory
+) -> tuple[IntArray, BoolArray]:
     """Parts of a mesh, divided where curvature jumps.
 
     Facets that no border edge touches, not even at an end, hang together in cores: that closes
@@ -34,6 +37,7 @@ def smooth_parts(mesh: Mesh, graph: FacetGraph, joined: BoolArray) -> tuple[IntA
         mesh: the mesh; nominal, see ``curvature_jumps``.
         graph: its adjacency.
         joined: (e,) pairs of facets that hang together smoothly.
+        jumps: the jumps of curvature that are known.
 
     Returns:
         (m,) 0-based part of each facet, with gaps, and (e,) pairs of ``joined`` across which
@@ -41,7 +45,7 @@ def smooth_parts(mesh: Mesh, graph: FacetGraph, joined: BoolArray) -> tuple[IntA
     """
     m = len(mesh.triangles)
     edges = np.flatnonzero(joined)
-    jump, none = curvature_jumps(mesh, graph, edges, joined)
+    jump, none = jumps.across(joined)
     jump = np.minimum(jump, 1.0)
     seen = np.zeros(len(joined), dtype=bool)
     seen[edges] = none

@@ -14,7 +14,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from gpswb.core.mesh import FloatArray
-from gpswb.core.robust.turns import TINY, turned, turning
+from gpswb.core.robust.turns import TINY, lengths, turned, turning
 
 
 @dataclass(frozen=True, eq=False)
@@ -41,10 +41,10 @@ class TorusChart:
         x = points - surface[:, :3]
         t = np.einsum("bk,bk->b", x, u)
         radial = x - t[:, None] * u
-        radial /= np.maximum(np.linalg.norm(radial, axis=1), TINY)[:, None]
+        radial /= np.maximum(lengths(radial), TINY)[:, None]
         tube = surface[:, :3] + surface[:, 6, None] * radial
         normal = points - tube
-        normal /= np.maximum(np.linalg.norm(normal, axis=1), TINY)[:, None]
+        normal /= np.maximum(lengths(normal), TINY)[:, None]
         foot = tube + surface[:, 7, None] * normal
         return cls(foot, normal, u, radial, surface[:, 6], surface[:, 7])
 
@@ -54,7 +54,7 @@ class TorusChart:
         tube = self.foot - self.minor[:, None] * self.normal
         out = np.empty((len(self.foot), 8))
         out[:, :3] = tube - self.major[:, None] * self.radial
-        out[:, 3:6] = self.axis / np.maximum(np.linalg.norm(self.axis, axis=1), TINY)[:, None]
+        out[:, 3:6] = self.axis / np.maximum(lengths(self.axis), TINY)[:, None]
         out[:, 6], out[:, 7] = np.abs(self.major), self.minor
         return out
 

@@ -11,6 +11,12 @@ TINY = 1e-12
 """Length below which a vector has no direction."""
 
 
+def lengths(v: FloatArray) -> FloatArray:
+    """(b,) lengths of (b, 3) vectors."""
+    length: FloatArray = np.sqrt(np.einsum("bk,bk->b", v, v))
+    return length
+
+
 def turning(v: FloatArray) -> FloatArray:
     """(b, 3, 3) change of (b, 3) vectors v with turns about the axes e: e × v as columns."""
     out = np.zeros((len(v), 3, 3))
@@ -22,10 +28,10 @@ def turning(v: FloatArray) -> FloatArray:
 
 def turned(vectors: FloatArray, turn: FloatArray) -> FloatArray:
     """(k, b, 3) vectors turned by (b, 3) rotation vectors (Rodrigues)."""
-    angle = np.sqrt(np.einsum("bk,bk->b", turn, turn))
+    angle = lengths(turn)
     unit = turn / np.maximum(angle, TINY)[:, None]
-    spin = -turning(unit)  # spin @ v is unit × v
+    against = turning(unit)  # against @ v is v × unit
     cos, sin = np.cos(angle)[:, None, None], np.sin(angle)[:, None, None]
-    rotation = cos * np.eye(3) + sin * spin + (1.0 - cos) * unit[:, :, None] * unit[:, None]
-    turned: FloatArray = np.einsum("bij,kbj->kbi", rotation, vectors)
+    rotation = (1.0 - cos) * (against @ against) - sin * against
+    turned: FloatArray = vectors + np.einsum("bij,kbj->kbi", rotation, vectors)
     return turned
