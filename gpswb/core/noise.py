@@ -94,7 +94,7 @@ def _has_exact_patches(mesh: Mesh) -> bool:
     noise leaves none; where facets turn by much, no polynomial shows that."""
     graph = FacetGraph.of(mesh)
     seeds = spread(len(mesh.triangles), PATCHES)
-    passable = (graph.neighbour >= 0) & (np.abs(graph.dihedral) < BENT[1])
+    passable = (graph.neighbour >= 0) & (graph.dihedral < BENT[1])
     patches = patches_around(mesh, graph, seeds, passable, 2)
     count = (patches.facets >= 0).sum(axis=1)
     found = explain(mesh, patches, count, 1e-7 * mesh.diagonal)

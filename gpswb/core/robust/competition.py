@@ -108,7 +108,7 @@ def _not_its_own(
     inside[facets] = True
     neighbour = graph.neighbour[facets[flat]]
     across = (neighbour >= 0) & inside[neighbour] & (polygon[neighbour] != own[flat, None])
-    creased = (across & (np.abs(graph.dihedral[facets[flat]]) > CREASED)).any(axis=1)
+    creased = (across & (graph.dihedral[facets[flat]] > CREASED)).any(axis=1)
     refused = taken < size[polygons]
     refused[number[far | creased]] = True
     out = flat.copy()

@@ -239,7 +239,7 @@ def _spread(mesh: Mesh, graph: FacetGraph, candidates: BoolArray, spacing: int) 
 
 def _smooth_and_alike(mesh: Mesh, graph: FacetGraph, free: BoolArray) -> BoolArray:
     """(e,) pairs of free facets of like areas without a crease between them."""
-    chosen: BoolArray = (np.abs(graph.pair_dihedral) < CREASE) & free[graph.pairs].all(axis=1)
+    chosen: BoolArray = (graph.pair_dihedral < CREASE) & free[graph.pairs].all(axis=1)
     first, second = np.maximum(mesh.areas[graph.pairs[chosen].T], 1e-300)
     chosen[chosen] = np.abs(np.log(first / second)) < np.log(LIKE)
     return chosen
@@ -249,5 +249,5 @@ def _passable(graph: FacetGraph, free: BoolArray, facets: IntArray) -> BoolArray
     """(..., 3) sides of facets with a free facet behind and no crease."""
     neighbour = graph.neighbour[facets]
     passable: BoolArray = (neighbour >= 0) & free[neighbour]
-    passable &= np.abs(graph.dihedral[facets]) < CREASE
+    passable &= graph.dihedral[facets] < CREASE
     return passable

@@ -83,7 +83,7 @@ def _host(
     border = (other >= 0) & (other != label[facets[0]])
     if not border.any():
         return -1
-    edge, turn = length[facets], np.abs(graph.dihedral[facets])
+    edge, turn = length[facets], graph.dihedral[facets]
     # A facet that is folded over lies in the region beside it all the same.
     smooth = border & (np.minimum(turn, np.pi - turn) < SMOOTH)
     shared = np.bincount(other[border], edge[border])

@@ -117,7 +117,7 @@ def drifts(mesh: Mesh, graph: FacetGraph, grown: Grown, tolerance: float) -> boo
     inside[grown.facets] = True
     neighbour = graph.neighbour[grown.facets]
     border = (neighbour >= 0) & ~inside[np.maximum(neighbour, 0)]
-    border &= np.abs(graph.dihedral[grown.facets]) < SMOOTH
+    border &= graph.dihedral[grown.facets] < SMOOTH
     outside = neighbour[border]
     if not len(outside):
         return False

@@ -64,7 +64,7 @@ def dissolve(
             neighbour = graph.neighbour[g.facets]
             beyond = np.maximum(neighbour, 0)
             border = (neighbour < 0) | (owner[beyond] != i)
-            smooth = border & (neighbour >= 0) & (np.abs(graph.dihedral[g.facets]) < SMOOTH)
+            smooth = border & (neighbour >= 0) & (graph.dihedral[g.facets] < SMOOTH)
             smooth &= unexplained[beyond]
             seen = border & goes_on[g.facets]
             edge = length[g.facets]

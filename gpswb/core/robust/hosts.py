@@ -72,7 +72,7 @@ def hosts_of(
     border = other != own
     corners = mesh.corners_of(facets)
     length = np.linalg.norm(corners[:, [1, 2, 0]] - corners, axis=2)
-    turn = np.abs(graph.dihedral[facets])
+    turn = graph.dihedral[facets]
     # A facet that is folded over lies in the region beside it all the same.
     smooth = border & (other >= 0) & (np.minimum(turn, np.pi - turn) < SMOOTH)
     if not smooth.any():

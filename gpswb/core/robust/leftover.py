@@ -68,7 +68,7 @@ def label_leftover(
     if not rest.any():
         return out, few
     joined = rest[graph.pairs].all(axis=1)
-    joined &= (np.abs(graph.pair_dihedral) < CREASE) & ~first.crease
+    joined &= (graph.pair_dihedral < CREASE) & ~first.crease
     part = np.where(rest, smooth_parts(mesh, graph, joined, jumps)[0], -1)
     part, _ = number_facet_regions(part, mesh)
     names = classes_of(mesh, part, first.crease, sigma, tolerances)

@@ -89,7 +89,7 @@ def _coplanar(
     joined = (heights_across(mesh, normals, part) <= tolerance * np.maximum(1.0, lever)).all(axis=0)
     turn = flat + 0.04 * tolerance / np.maximum(altitude.min(axis=0), 1e-300)
     # Where a thin ring is meshed more coarsely than it is wide, facets fold over in their plane.
-    angle = np.abs(graph.pair_dihedral[part])
+    angle = graph.pair_dihedral[part]
     joined &= np.minimum(angle, np.pi - angle) < np.minimum(turn, 0.5)
     return np.asarray(joined, dtype=bool)
 
@@ -123,7 +123,7 @@ def _gentle_share(mesh: Mesh, graph: FacetGraph, polygon: IntArray, k: int) -> F
     across = a != b
     ends = mesh.vertices[graph.pair_edges[across]]
     length = np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1)
-    gentle = length * (np.abs(graph.pair_dihedral[across]) < GENTLE)
+    gentle = length * (graph.pair_dihedral[across] < GENTLE)
     both = np.concatenate([a[across], b[across]])
     total = np.bincount(both, np.tile(length, 2), k)
     share: FloatArray = np.bincount(both, np.tile(gentle, 2), k) / np.maximum(total, 1e-300)

@@ -59,15 +59,16 @@ def _hypotheses(
 ) -> Iterator[Grown]:
     """Tori and spheres through two bands, through a band and a facet beside it that is in no region
     and reaches to a third place, and those beside a band; with the facets that say so."""
-    pairs = graph.pairs[np.abs(graph.pair_dihedral) < TURN]
-    pairs = np.concatenate([pairs, pairs[:, ::-1]])
     owner = np.full(len(mesh.triangles), -1, dtype=np.int64)
     for i, g in enumerate(found):
         owner[g.facets] = i
     band = np.array([g.kind in ("cylinder", "cone") for g in found] + [False])
+    border = owner[graph.pairs[:, 0]] != owner[graph.pairs[:, 1]]
+    pairs = graph.pairs[border & (graph.pair_dihedral < TURN)]
+    pairs = np.concatenate([pairs, pairs[:, ::-1]])
     round_ = np.array([g.kind in ("sphere", "torus") for g in found] + [False])
     first, second = owner[pairs.T]
-    beside = band[first] & (first != second)
+    beside = band[first]
     both = np.stack([first, second], axis=1)[beside & band[second]]
     for a, b in np.unique(np.sort(both, axis=1), axis=0).tolist():
         larger, smaller = sorted((found[a], found[b]), key=lambda g: -len(g.facets))

@@ -26,7 +26,7 @@ def few_polygons(
         crease: (e,) pairs that are feature edges besides those that turn by much.
     """
     joined = rest[graph.pairs].all(axis=1)
-    smooth = np.abs(graph.pair_dihedral) < CREASE
+    smooth = graph.pair_dihedral < CREASE
     if crease is not None:
         smooth &= ~crease
     smooth |= polygon[graph.pairs[:, 0]] == polygon[graph.pairs[:, 1]]

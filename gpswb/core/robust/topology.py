@@ -10,8 +10,6 @@ import numpy as np
 from scipy.sparse import coo_array
 from scipy.sparse.csgraph import connected_components
 
-from gpswb.core.blocks import blocks
-from gpswb.core.facet_geometry import dot
 from gpswb.core.mesh import BoolArray, FloatArray, IntArray, Mesh
 
 SMOOTH = 0.35
@@ -24,8 +22,7 @@ class FacetGraph:
 
     Args:
         neighbour: (m, 3) int64 facet across each edge, -1 at a border or a non-manifold edge.
-        dihedral: (m, 3) signed angle between the two normals, rad; positive where the edge is
-            convex, 0 without a neighbour.
+        dihedral: (m, 3) angle between the two normals, rad; 0 without a neighbour.
         pairs: (e, 2) facets of each interior edge; ``pair_dihedral`` (e,) their angle.
         pair_sides: (e, 2) which side of which facet each edge is: 3 * facet + side.
         pair_edges: (e, 2) vertices of each interior edge.
@@ -42,20 +39,19 @@ class FacetGraph:
     def of(cls, mesh: Mesh) -> FacetGraph:
         """The adjacency of a mesh."""
         m = len(mesh.triangles)
-        angle = _signed_turning(mesh)
         neighbour = np.full(3 * m, -1, dtype=np.int64)
         dihedral = np.zeros(3 * m)
         for side in (0, 1):
             half = mesh.half_edge_pairs[:, side]
             neighbour[half] = mesh.facet_pairs[:, 1 - side]
-            dihedral[half] = angle
+            dihedral[half] = mesh.turning
         return cls(
             neighbour.reshape(m, 3),
             dihedral.reshape(m, 3),
             mesh.facet_pairs,
             mesh.half_edge_pairs,
             mesh.pair_edges,
-            angle,
+            mesh.turning,
         )
 
     def components(self, joined: BoolArray, m: int) -> IntArray:
@@ -69,7 +65,7 @@ class FacetGraph:
     @cached_property
     def smooth(self) -> BoolArray:
         """(e,) pairs between which there is no crease."""
-        smooth: BoolArray = np.abs(self.pair_dihedral) < SMOOTH
+        smooth: BoolArray = self.pair_dihedral < SMOOTH
         return smooth
 
     def sides(self, edges: IntArray) -> BoolArray:
@@ -77,17 +73,3 @@ class FacetGraph:
         out = np.zeros(self.neighbour.shape, dtype=bool)
         out.reshape(-1)[self.pair_sides[edges]] = True
         return out
-
-
-def _signed_turning(mesh: Mesh) -> FloatArray:
-    """(e,) turning angle of each interior edge, rad, negative where the edge is concave."""
-    angle = np.empty(len(mesh.facet_pairs))
-    normals = np.ascontiguousarray(mesh.facet_normals.T)
-    centroids = np.ascontiguousarray(mesh.centroids.T)
-    for part in blocks(len(angle)):
-        first, second = mesh.facet_pairs[part].T
-        toward = centroids.take(second, axis=1) - centroids.take(first, axis=1)
-        # A neighbour below the facet's plane makes the edge convex.
-        below = dot(normals.take(first, axis=1), toward) < 0.0
-        angle[part] = np.where(below, mesh.turning[part], -mesh.turning[part])
-    return angle
