@@ -17,6 +17,7 @@ from gpswb.core.noisy.general_surface import LEAST, general_surface, priced
 from gpswb.core.noisy.merging import REGION, facets_of, length_of, smooth_neighbours
 from gpswb.core.noisy.models import Model, Surface
 from gpswb.core.noisy.noisy_mesh import NoisyMesh
+from gpswb.core.noisy.profile_chain import profile_chain
 from gpswb.core.noisy.swept import Swept
 from gpswb.core.slippage import SlippageMoments, slippage_moments
 
@@ -111,7 +112,7 @@ def join_regions(
             near[c] = (near[c] - {a, b}) | {count}
             push(c, count)
         count += 1
-    return _taken(list(alive.values()), label)
+    return _taken(noisy, list(alive.values()), label)
 
 
 def _flat(piece: _Piece) -> bool:
@@ -125,15 +126,16 @@ def _creased(noisy: NoisyMesh, a: _Piece, b: _Piece, border: IntArray) -> bool:
     return meet_at_crease(noisy, (a.surface, b.surface), (a.facets, b.facets), border)
 
 
-def _taken(pieces: Sequence[_Piece], label: IntArray) -> tuple[list[Surface], IntArray]:
+def _taken(
+    noisy: NoisyMesh, pieces: Sequence[_Piece], label: IntArray
+) -> tuple[list[Surface], IntArray]:
     """Surfaces and labels of the pieces, or of their parts where those are cheaper."""
     out = np.full_like(label, -1)
     surfaces: list[Surface] = []
     for piece in pieces:
-        for part in _divided(piece)[1]:
-            if part.surface is not None:
-                out[part.facets] = len(surfaces)
-                surfaces.append(part.surface)
+        for facets, surface in _divided(noisy, piece)[1]:
+            out[facets] = len(surfaces)
+            surfaces.append(surface)
     return surfaces, out
 
 
@@ -143,18 +145,23 @@ def _border(noisy: NoisyMesh, home: IntArray, a: int, b: int) -> IntArray:
     return np.flatnonzero(((first == a) & (second == b)) | ((first == b) & (second == a)))
 
 
-def _divided(piece: _Piece) -> tuple[float, list[_Piece]]:
-    """The cheapest of a union and its parts, with the prior of what isn't simple."""
+def _divided(noisy: NoisyMesh, piece: _Piece) -> tuple[float, list[tuple[IntArray, Surface]]]:
+    """The cheapest of a union, of its parts, and of a chain of simple surfaces of its motion, with
+    the prior of what isn't simple: facets and surface of each region."""
     whole = piece.length
     if isinstance(piece.surface, Swept | Freeform):
         whole = whole - piece.surface.cost + priced(piece.surface)
-    if not piece.parts:
-        return whole, [piece]
-    divided = [_divided(part) for part in piece.parts]
-    apart = sum(length for length, _ in divided)
-    if whole <= apart:
-        return whole, [piece]
-    return apart, [part for _, parts in divided for part in parts]
+    found = (whole, [] if piece.surface is None else [(piece.facets, piece.surface)])
+    if piece.parts:
+        divided = [_divided(noisy, part) for part in piece.parts]
+        apart = sum(length for length, _ in divided)
+        if apart < whole:
+            found = (apart, [part for _, parts in divided for part in parts])
+    if isinstance(piece.surface, Swept):
+        chain = profile_chain(noisy, piece.facets, piece.surface)
+        if chain is not None and chain.length < found[0]:
+            return chain.length, list(chain.parts)
+    return found
 
 
 def _pieces(noisy: NoisyMesh, models: Sequence[Surface], label: IntArray) -> list[_Piece]:

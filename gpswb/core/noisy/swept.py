@@ -70,6 +70,16 @@ class Swept:
         point = self.curve(t)
         return cKDTree(point), point, slope
 
+    def along(self, points: FloatArray) -> tuple[FloatArray, FloatArray]:
+        """(n,) length along the profile at which points (n, 3) are nearest to it, in the unit of
+        the quotient coordinates, and (n, 2) those coordinates."""
+        tree, point, tangent = self._table
+        quotient = profile_coordinates(points, self.invariance_class, self.reference, self.curve)
+        _, near = tree.query(quotient)
+        step = np.linalg.norm(np.diff(point, axis=0), axis=1)
+        reach = np.concatenate([[0.0], np.cumsum(step)])
+        return reach[near] + np.einsum("nq,nq->n", quotient - point[near], tangent[near]), quotient
+
     def distance(self, points: FloatArray) -> tuple[FloatArray, FloatArray]:
         """(n,) mm signed distances of points (n, 3), and (n, 3) unit normals of the surface there.
 

@@ -1,0 +1,157 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""A profile as a chain of straights and arcs: the simple surfaces that one motion has in common.
+
+Turned and extruded parts are chains of planes, cylinders, cones and tori that share an axis or a
+direction. All vertices around the axis tell of one profile, so that it shows rounds that are too
+small to be found on the surface itself. The chain with the least description length is found by
+dynamic programming over bins of the profile; arcs are fitted with Pratt's constraint ("Direct
+least-squares fitting of algebraic surfaces", 1987), which has lines as a limit.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from gpswb.core.mesh import FloatArray, IntArray
+from gpswb.core.noisy.merging import REGION
+from gpswb.core.noisy.models import PRIOR, Model, fit_models
+from gpswb.core.noisy.noisy_mesh import NoisyMesh
+from gpswb.core.noisy.swept import MOTIONS, OUTSIDE, Swept
+
+BINS = 96
+"""Bins of a profile: pieces begin and end at their bounds."""
+
+LEAST = 12
+"""Vertices of a piece at least: twice the unknowns of a torus are needed for one, and some more."""
+
+SHORTEST = 10.0
+"""Length in sigma of a piece at least: a shorter one has no direction, since its points scatter as
+much across it as along. It is that of evenly spread points of the same variance: a row of vertices
+is as long as it is wide."""
+
+TIGHT = 0.4
+"""Radius of an arc, as a share of its length as above, at least: on a whole circle it is 0.41. A
+tighter one curls through the scatter of two rows."""
+
+JOINT = 12.0
+"""Price of each piece but the first, which costs as a region does. A joint has a place, which is an
+unknown, and mostly it is tangent, which saves one; what is left is the choice among places."""
+
+LINE, ARC = 2, 3
+"""Unknowns of a straight and of an arc, the motion being known."""
+
+PRATT = np.array([[0, 0, 0, -0.5], [0, 1, 0, 0], [0, 0, 1, 0], [-0.5, 0, 0, 0]])
+"""(4, 4) inverse of the matrix of Pratt's constraint B² + C² - 4AD = 1 on A(x²+y²)+Bx+Cy+D = 0."""
+
+
+@dataclass(frozen=True, eq=False)
+class Chain:
+    """Simple surfaces of one motion side by side.
+
+    Args:
+        parts: facets and surface of each.
+        length: description length of all together.
+    """
+
+    parts: tuple[tuple[IntArray, Model], ...]
+    length: float
+
+
+def profile_chain(noisy: NoisyMesh, facets: IntArray, swept: Swept) -> Chain | None:
+    """The cheapest chain of straights and arcs that a swept surface's profile is.
+
+    Args:
+        noisy: the mesh and its noise.
+        facets: (k,) connected facets on the surface.
+        swept: the surface; prismatic or revolute.
+
+    Returns:
+        None where the profile is one piece, or a piece has no acceptable surface.
+    """
+    name = swept.invariance_class
+    if name == "helical":
+        return None
+    vertices, local = np.unique(noisy.mesh.triangles[facets], return_inverse=True)
+    points = noisy.mesh.vertices[vertices]
+    reach = swept.along(points)[0]
+    near = np.abs(swept.distance(points)[0]) < OUTSIDE * noisy.sigma
+    along, quotient = swept.along(points[near])
+    order = np.argsort(along, kind="stable")
+    n = len(order)
+    if n < 2 * LEAST:
+        return None
+    # Half by length, half by number: rounds are short and have many vertices.
+    rank = np.empty(n)
+    rank[order] = np.arange(n) / n
+    length = (along - along.min()) / max(float(np.ptp(along)), 1e-300)
+    bin_of = np.minimum((BINS * 0.5 * (rank + length)).astype(np.int64), BINS - 1)
+    line, arc, count, extent = _residuals(quotient / noisy.sigma, bin_of)
+    unit = float(np.log(n))
+    round_kind = "torus" if name == "revolute" else "cylinder"
+    cost = np.minimum(line + LINE * unit, arc + ARC * unit + PRIOR[round_kind]) + JOINT
+    start = np.append(np.sort(along)[np.searchsorted(bin_of[order], np.arange(BINS))], along.max())
+    cost[(count < LEAST) | (extent < SHORTEST)] = np.inf
+    bounds, total = _cheapest(cost)
+    if len(bounds) < 3:
+        return None
+    centre = reach[local.reshape(-1, 3)].mean(axis=1)
+    piece = np.searchsorted(start[bounds[1:-1]], centre, side="right")
+    groups = [g for i in range(len(bounds) - 1) if len(g := facets[piece == i])]
+    models = fit_models(noisy, groups, thorough=True)
+    parts = tuple((g, m) for g, m in zip(groups, models, strict=True) if m is not None)
+    if len(parts) < len(groups):
+        return None
+    strays = OUTSIDE**2 * float(len(points) - n)
+    return Chain(parts, total + REGION - JOINT + MOTIONS[name] * unit + strays)
+
+
+def _residuals(points: FloatArray, bin_of: IntArray) -> tuple[FloatArray, ...]:
+    """(BINS + 1, BINS + 1) squared distances from the best line and circle through the points of
+    the bins from i to before j, how many points they are, and how far they reach."""
+    points = points - points.mean(axis=0)
+    scale = max(float(np.abs(points).max()), 1e-300)
+    x, y = points.T / scale
+    terms = np.column_stack([x * x + y * y, x, y, np.ones(len(x))])
+    outer = terms[:, :, None] * terms[:, None, :]
+    sums = np.zeros((BINS + 1, 4, 4))
+    np.add.at(sums, bin_of + 1, outer)
+    sums = np.cumsum(sums, axis=0)
+    first, last = np.triu_indices(BINS + 1, 1)
+    moment = sums[last] - sums[first]
+    number = moment[:, 3, 3]
+    mean = moment[:, 1:3, 3] / np.maximum(number, 1.0)[:, None]
+    spread = moment[:, 1:3, 1:3] - number[:, None, None] * mean[:, :, None] * mean[:, None, :]
+    flat, long = np.linalg.eigvalsh(spread).T
+    reach = scale * np.sqrt(12.0 * np.maximum(long, 0.0) / np.maximum(number, 1.0))
+    values, vectors = np.linalg.eig(PRATT @ moment)
+    # One value is negative, that of no real circle; the least of the others is the residual.
+    second = np.argsort(values.real, axis=1)[:, 1]
+    row = np.arange(len(values))
+    curved, circle = values.real[row, second], vectors.real[row, :, second]
+    bend = circle[:, 1] ** 2 + circle[:, 2] ** 2 - 4.0 * circle[:, 0] * circle[:, 3]
+    radius = scale * np.sqrt(np.maximum(bend, 0.0)) / np.maximum(2.0 * np.abs(circle[:, 0]), 1e-300)
+    curved[radius < TIGHT * reach] = np.inf
+    line = np.full((BINS + 1, BINS + 1), np.inf)
+    arc, count, extent = line.copy(), np.zeros_like(line), np.zeros_like(line)
+    line[first, last] = np.maximum(flat, 0.0) * scale**2
+    arc[first, last] = np.maximum(curved, 0.0) * scale**2
+    count[first, last] = number
+    extent[first, last] = reach
+    return line, arc, count, extent
+
+
+def _cheapest(cost: FloatArray) -> tuple[IntArray, float]:
+    """Bounds of the pieces from bin 0 to the last that cost least together, and what they cost."""
+    least = np.full(len(cost), np.inf)
+    least[0] = 0.0
+    before = np.zeros(len(cost), dtype=np.int64)
+    for j in range(1, len(cost)):
+        total = least[:j] + cost[:j, j]
+        before[j] = total.argmin()
+        least[j] = total[before[j]]
+    bounds = [len(cost) - 1]
+    while bounds[-1] > 0:
+        bounds.append(int(before[bounds[-1]]))
+    return np.array(bounds[::-1]), float(least[-1])
