@@ -91,7 +91,7 @@ def profile_chain(noisy: NoisyMesh, facets: IntArray, swept: Swept) -> Chain | N
     unit = float(np.log(n))
     round_kind = "torus" if name == "revolute" else "cylinder"
     cost = np.minimum(line + LINE * unit, arc + ARC * unit + PRIOR[round_kind]) + JOINT
-    start = np.append(np.sort(along)[np.searchsorted(bin_of[order], np.arange(BINS))], along.max())
+    start = np.append(np.sort(along)[np.minimum(np.searchsorted(bin_of[order], np.arange(BINS)), n - 1)], along.max())
     cost[(count < LEAST) | (extent < SHORTEST)] = np.inf
     bounds, total = _cheapest(cost)
     if len(bounds) < 3:

@@ -10,6 +10,7 @@ import numpy as np
 from gpswb.core.invariance import InvarianceClass
 from gpswb.core.mesh import IntArray, Mesh
 from gpswb.core.noisy.absorption import absorb
+from gpswb.core.noisy.chains import divide_by_profiles
 from gpswb.core.noisy.expansion import expand
 from gpswb.core.noisy.freeform import Freeform
 from gpswb.core.noisy.hypotheses import find_models, lies_on
@@ -52,6 +53,11 @@ def segment(mesh: Mesh, sigma: float) -> tuple[list[Grown], IntArray, dict[int, 
         models, label = _refitted(noisy, models, label)
         models, label = merge_models(noisy, models, label)
         label = drop_models(noisy, models, label)
+    models, label = divide_by_profiles(noisy, models, label)
+    label = expand(noisy, models, label)
+    models, label = _refitted(noisy, models, label)
+    models, label = merge_models(noisy, models, label)
+    label = drop_models(noisy, models, label)
     joined, label = join_regions(noisy, models, label)
     label = expand(noisy, joined, label)
     label = drop_models(noisy, joined, label)

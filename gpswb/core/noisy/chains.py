@@ -1,0 +1,108 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+"""Regions side by side that have a motion in common, divided anew by the profile of all of them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+import numpy as np
+
+from gpswb.core.invariance import InvarianceClass
+from gpswb.core.mesh import FloatArray, IntArray
+from gpswb.core.noisy.general_surface import LEAST, SLIP
+from gpswb.core.noisy.merging import facets_of, length_of, smooth_neighbours
+from gpswb.core.noisy.models import Model
+from gpswb.core.noisy.noisy_mesh import NoisyMesh
+from gpswb.core.noisy.profile_chain import profile_chain
+from gpswb.core.noisy.swept_fit import fit_swept
+from gpswb.core.recognition import slip_of
+from gpswb.core.reference import Reference
+
+
+def divide_by_profiles(
+    noisy: NoisyMesh, models: Sequence[Model], label: IntArray
+) -> tuple[list[Model], IntArray]:
+    """Replace connected regions of one motion by the chain that is their profile, if it is shorter.
+
+    On the surface itself a narrow round between two planes has few facets across, and neighbours
+    divide it among themselves. Around the axis, or along the direction, it has many.
+
+    Args:
+        noisy: the mesh and its noise.
+        models: the surfaces.
+        label: (m,) the number of each facet's surface, -1 for none.
+
+    Returns:
+        Surfaces, and labels numbered anew.
+    """
+    models, label = list(models), label.copy()
+    near = _neighbours(noisy, label, len(models))
+    done: set[int] = set()
+    groups = facets_of(label, len(models))
+    tried: set[tuple[InvarianceClass, frozenset[int]]] = set()
+    for seed in sorted(range(len(models)), key=lambda i: -len(groups[i])):
+        if seed in done or not len(groups[seed]):
+            continue
+        for name, reference in _motions(models[seed]):
+            group = _sharing(noisy, groups, near, seed, name, reference, done)
+            if (name, frozenset(group)) in tried:
+                continue
+            tried.add((name, frozenset(group)))
+            facets = np.concatenate([groups[i] for i in group])
+            if len(facets) < LEAST:
+                continue
+            before = sum(length_of(noisy, models[i], groups[i]) for i in group)
+            swept = fit_swept(noisy, facets, name, [reference])
+            chain = None if swept is None else profile_chain(noisy, facets, swept)
+            if chain is None or chain.length >= before:
+                continue
+            for part, model in chain.parts:
+                label[part] = len(models)
+                models.append(model)
+            done |= set(group)
+            break
+    return models, label
+
+
+def _motions(model: Model) -> Iterator[tuple[InvarianceClass, Reference]]:
+    """The motions that a surface has and its neighbours may share."""
+    reference = Reference(model.surface[:3], model.surface[3:6])
+    if model.kind == "cylinder":
+        yield "prismatic", reference
+    if model.kind in ("cylinder", "cone", "torus"):
+        yield "revolute", reference
+
+
+def _neighbours(noisy: NoisyMesh, label: IntArray, count: int) -> list[set[int]]:
+    near: list[set[int]] = [set() for _ in range(count)]
+    for a, b in smooth_neighbours(noisy, label):
+        near[a].add(b)
+        near[b].add(a)
+    return near
+
+
+def _sharing(
+    noisy: NoisyMesh,
+    groups: Sequence[IntArray],
+    near: Sequence[set[int]],
+    seed: int,
+    name: InvarianceClass,
+    reference: Reference,
+    done: set[int],
+) -> list[int]:
+    """The regions that hang together with one and slip along its motion."""
+    group, front = {seed}, [seed]
+    while front:
+        for i in near[front.pop()] - group - done:
+            if _slip(noisy, groups[i], name, reference) < SLIP:
+                group.add(i)
+                front.append(i)
+    return sorted(group)
+
+
+def _slip(
+    noisy: NoisyMesh, facets: IntArray, name: InvarianceClass, reference: Reference
+) -> float:
+    mesh = noisy.mesh
+    areas: FloatArray = mesh.areas[facets]
+    return slip_of(mesh.centroids[facets], noisy.normals[facets], areas, name, reference)
