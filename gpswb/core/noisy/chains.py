@@ -9,8 +9,8 @@ import numpy as np
 
 from gpswb.core.invariance import InvarianceClass
 from gpswb.core.mesh import FloatArray, IntArray
-from gpswb.core.noisy.general_surface import LEAST, SLIP
-from gpswb.core.noisy.merging import facets_of, length_of, smooth_neighbours
+from gpswb.core.noisy.general_surface import LEAST, SLIP, priced
+from gpswb.core.noisy.merging import REGION, facets_of, length_of, smooth_neighbours
 from gpswb.core.noisy.models import Model
 from gpswb.core.noisy.noisy_mesh import NoisyMesh
 from gpswb.core.noisy.profile_chain import profile_chain
@@ -53,8 +53,10 @@ def divide_by_profiles(
                 continue
             before = sum(length_of(noisy, models[i], groups[i]) for i in group)
             swept = fit_swept(noisy, facets, name, [reference])
-            chain = None if swept is None else profile_chain(noisy, facets, swept)
-            if chain is None or chain.length >= before:
+            if swept is None or not swept.explains:
+                continue
+            chain = profile_chain(noisy, facets, swept)
+            if chain is None or chain.length >= min(before, priced(swept) + REGION):
                 continue
             for part, model in chain.parts:
                 label[part] = len(models)

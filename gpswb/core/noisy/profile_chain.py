@@ -16,7 +16,7 @@ import numpy as np
 
 from gpswb.core.mesh import FloatArray, IntArray
 from gpswb.core.noisy.merging import REGION
-from gpswb.core.noisy.models import PRIOR, Model, fit_models
+from gpswb.core.noisy.models import Model, fit_models
 from gpswb.core.noisy.noisy_mesh import NoisyMesh
 from gpswb.core.noisy.swept import MOTIONS, OUTSIDE, Swept
 
@@ -26,7 +26,7 @@ BINS = 96
 LEAST = 12
 """Vertices of a piece at least: twice the unknowns of a torus are needed for one, and some more."""
 
-SHORTEST = 10.0
+SHORTEST = 7.0
 """Length in sigma of a piece at least: a shorter one has no direction, since its points scatter as
 much across it as along. It is that of evenly spread points of the same variance: a row of vertices
 is as long as it is wide."""
@@ -35,12 +35,17 @@ TIGHT = 0.4
 """Radius of an arc, as a share of its length as above, at least: on a whole circle it is 0.41. A
 tighter one curls through the scatter of two rows."""
 
-JOINT = 12.0
-"""Price of each piece but the first, which costs as a region does. A joint has a place, which is an
-unknown, and mostly it is tangent, which saves one; what is left is the choice among places."""
-
 LINE, ARC = 2, 3
 """Unknowns of a straight and of an arc, the motion being known."""
+
+JOINT = 12.0
+"""Price of each piece besides its unknowns, the motion having that of a region. A joint has a place,
+which is an unknown, but mostly it is tangent, which saves one; what is left is the choice among
+places."""
+
+ALIKE = 24.0
+"""Price of a joint of two arcs or of two straights besides: in drawn profiles they take turns, and
+what is many arcs in a row is a spline."""
 
 PRATT = np.array([[0, 0, 0, -0.5], [0, 1, 0, 0], [0, 0, 1, 0], [-0.5, 0, 0, 0]])
 """(4, 4) inverse of the matrix of Pratt's constraint B² + C² - 4AD = 1 on A(x²+y²)+Bx+Cy+D = 0."""
@@ -89,22 +94,21 @@ def profile_chain(noisy: NoisyMesh, facets: IntArray, swept: Swept) -> Chain | N
     bin_of = np.minimum((BINS * 0.5 * (rank + length)).astype(np.int64), BINS - 1)
     line, arc, count, extent = _residuals(quotient / noisy.sigma, bin_of)
     unit = float(np.log(n))
-    round_kind = "torus" if name == "revolute" else "cylinder"
-    cost = np.minimum(line + LINE * unit, arc + ARC * unit + PRIOR[round_kind]) + JOINT
-    start = np.append(np.sort(along)[np.minimum(np.searchsorted(bin_of[order], np.arange(BINS)), n - 1)], along.max())
-    cost[(count < LEAST) | (extent < SHORTEST)] = np.inf
+    cost = np.stack([line + LINE * unit, arc + ARC * unit]) + JOINT
+    cost[:, (count < LEAST) | (extent < SHORTEST)] = np.inf
     bounds, total = _cheapest(cost)
     if len(bounds) < 3:
         return None
     centre = reach[local.reshape(-1, 3)].mean(axis=1)
-    piece = np.searchsorted(start[bounds[1:-1]], centre, side="right")
+    first = np.searchsorted(bin_of[order], bounds[1:-1])
+    piece = np.searchsorted(along[order][np.minimum(first, n - 1)], centre, side="right")
     groups = [g for i in range(len(bounds) - 1) if len(g := facets[piece == i])]
     models = fit_models(noisy, groups, thorough=True)
     parts = tuple((g, m) for g, m in zip(groups, models, strict=True) if m is not None)
     if len(parts) < len(groups):
         return None
     strays = OUTSIDE**2 * float(len(points) - n)
-    return Chain(parts, total + REGION - JOINT + MOTIONS[name] * unit + strays)
+    return Chain(parts, total + REGION + MOTIONS[name] * unit + strays)
 
 
 def _residuals(points: FloatArray, bin_of: IntArray) -> tuple[FloatArray, ...]:
@@ -143,15 +147,27 @@ def _residuals(points: FloatArray, bin_of: IntArray) -> tuple[FloatArray, ...]:
 
 
 def _cheapest(cost: FloatArray) -> tuple[IntArray, float]:
-    """Bounds of the pieces from bin 0 to the last that cost least together, and what they cost."""
-    least = np.full(len(cost), np.inf)
-    least[0] = 0.0
-    before = np.zeros(len(cost), dtype=np.int64)
-    for j in range(1, len(cost)):
-        total = least[:j] + cost[:j, j]
-        before[j] = total.argmin()
-        least[j] = total[before[j]]
-    bounds = [len(cost) - 1]
-    while bounds[-1] > 0:
-        bounds.append(int(before[bounds[-1]]))
-    return np.array(bounds[::-1]), float(least[-1])
+    """Bounds of the pieces from bin 0 to the last that cost least together, and what they cost.
+
+    Args:
+        cost: (2, BINS + 1, BINS + 1) of a straight and of an arc from bin i to before j.
+    """
+    kinds, size, _ = cost.shape
+    alike = ALIKE * np.eye(kinds)
+    least = np.full((kinds, size), np.inf)
+    least[:, 0] = 0.0
+    before = np.zeros((kinds, size), dtype=np.int64)
+    for j in range(1, size):
+        for kind in range(kinds):
+            # The first piece has no neighbour to be like.
+            to = least[:, :j] + alike[kind][:, None] * (np.arange(j) > 0)
+            total = to.min(axis=0) + cost[kind, :j, j]
+            i = int(total.argmin())
+            least[kind, j] = total[i]
+            before[kind, j] = i * kinds + int(to[:, i].argmin())
+    end, kind = size - 1, int(least[:, -1].argmin())
+    bounds = [end]
+    while end > 0:
+        end, kind = divmod(int(before[kind, end]), kinds)
+        bounds.append(end)
+    return np.array(bounds[::-1]), float(least[:, -1].min())
