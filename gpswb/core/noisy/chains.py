@@ -13,14 +13,10 @@ from gpswb.core.noisy.general_surface import LEAST, SLIP, priced
 from gpswb.core.noisy.merging import REGION, facets_of, length_of, smooth_neighbours
 from gpswb.core.noisy.models import Model
 from gpswb.core.noisy.noisy_mesh import NoisyMesh
-from gpswb.core.noisy.profile_chain import profile_chain
+from gpswb.core.noisy.profile_chain import Chain, profile_chain
 from gpswb.core.noisy.swept_fit import fit_swept
 from gpswb.core.recognition import slip_of
 from gpswb.core.reference import Reference
-
-GAIN = 24.0
-"""What a division anew saves at least: the price of a region. The same regions are a little cheaper
-as a chain, since they share the motion."""
 
 
 def divide_by_profiles(
@@ -29,7 +25,9 @@ def divide_by_profiles(
     """Replace connected regions of one motion by the chain that is their profile, if it is shorter.
 
     On the surface itself a narrow round between two planes has few facets across, and neighbours
-    divide it among themselves. Around the axis, or along the direction, it has many.
+    divide it among themselves. Around the axis, or along the direction, it has many. What is saved
+    has to be worth a region: the same regions are a little cheaper as a chain, since they share the
+    motion. Where one spline describes all for less than the chain, nothing is divided.
 
     Args:
         noisy: the mesh and its noise.
@@ -52,22 +50,30 @@ def divide_by_profiles(
             if (name, frozenset(group)) in tried:
                 continue
             tried.add((name, frozenset(group)))
-            facets = np.concatenate([groups[i] for i in group])
-            if len(facets) < LEAST:
-                continue
             before = sum(length_of(noisy, models[i], groups[i]) for i in group)
-            swept = fit_swept(noisy, facets, name, [reference])
-            if swept is None or not swept.explains:
-                continue
-            chain = profile_chain(noisy, facets, swept)
-            if chain is None or chain.length >= min(before - GAIN, priced(swept) + REGION):
-                continue
-            for part, model in chain.parts:
-                label[part] = len(models)
-                models.append(model)
-            done |= set(group)
-            break
+            facets = np.concatenate([groups[i] for i in group])
+            chain = _chain(noisy, facets, name, reference, before - REGION)
+            if chain is not None:
+                for part, model in chain.parts:
+                    label[part] = len(models)
+                    models.append(model)
+                done |= set(group)
+                break
     return models, label
+
+
+def _chain(
+    noisy: NoisyMesh, facets: IntArray, name: InvarianceClass, reference: Reference, most: float
+) -> Chain | None:
+    """The chain of some facets that is shorter than ``most`` and than one spline of all."""
+    if len(facets) < LEAST:
+        return None
+    swept = fit_swept(noisy, facets, name, [reference])
+    if swept is None or not swept.explains:
+        return None
+    chain = profile_chain(noisy, facets, swept)
+    one = priced(swept) + REGION
+    return chain if chain is not None and chain.length < min(most, one) else None
 
 
 def _motions(model: Model) -> Iterator[tuple[InvarianceClass, Reference]]:
@@ -106,9 +112,7 @@ def _sharing(
     return sorted(group)
 
 
-def _slip(
-    noisy: NoisyMesh, facets: IntArray, name: InvarianceClass, reference: Reference
-) -> float:
+def _slip(noisy: NoisyMesh, facets: IntArray, name: InvarianceClass, reference: Reference) -> float:
     mesh = noisy.mesh
     areas: FloatArray = mesh.areas[facets]
     return slip_of(mesh.centroids[facets], noisy.normals[facets], areas, name, reference)

@@ -145,6 +145,10 @@ def _border(noisy: NoisyMesh, home: IntArray, a: int, b: int) -> IntArray:
     return np.flatnonzero(((first == a) & (second == b)) | ((first == b) & (second == a)))
 
 
+def _axis_price(surface: Swept | Freeform, pieces: int) -> float:
+    return AXIS * (pieces - 1) if surface.invariance_class == "revolute" else 0.0
+
+
 def _divided(noisy: NoisyMesh, piece: _Piece) -> tuple[float, list[tuple[IntArray, Surface]]]:
     """The cheapest of a union, of its parts, and of a chain of simple surfaces of its motion, with
     the prior of what isn't simple: facets and surface of each region."""
@@ -159,7 +163,9 @@ def _divided(noisy: NoisyMesh, piece: _Piece) -> tuple[float, list[tuple[IntArra
             found = (apart, [part for _, parts in divided for part in parts])
     if isinstance(piece.surface, Swept):
         chain = profile_chain(noisy, piece.facets, piece.surface)
-        if chain is not None and chain.length < found[0]:
+        # A chain pays for the axis once, too: no need to charge the spline for that.
+        plain = whole - _axis_price(piece.surface, piece.pieces)
+        if chain is not None and chain.length < min(found[0], plain):
             return chain.length, list(chain.parts)
     return found
 
@@ -222,8 +228,7 @@ def _joined(noisy: NoisyMesh, a: _Piece, b: _Piece, border: float) -> _Piece | N
     if one is None:
         return None
     length = one.cost + REGION + FLAT * (a.planes + b.planes)
-    if one.invariance_class == "revolute":
-        length += AXIS * (a.pieces + b.pieces - 1)
+    length += _axis_price(one, a.pieces + b.pieces)
     borders = a.borders + b.borders + border
     if one.invariance_class == "complex":
         length -= borders

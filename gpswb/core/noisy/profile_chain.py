@@ -35,13 +35,17 @@ TIGHT = 0.4
 """Radius of an arc, as a share of its length as above, at least: on a whole circle it is 0.41. A
 tighter one curls through the scatter of two rows."""
 
+BELOW = 2.0
+"""Standard deviations of chi-square by which a piece may be better than the noise: bins cut rows of
+vertices into slices that a circle across them fits far too well."""
+
 LINE, ARC = 2, 3
 """Unknowns of a straight and of an arc, the motion being known."""
 
 JOINT = 12.0
-"""Price of each piece besides its unknowns, the motion having that of a region. A joint has a place,
-which is an unknown, but mostly it is tangent, which saves one; what is left is the choice among
-places."""
+"""Price of each piece besides its unknowns, the motion having that of a region. A joint has a
+place, which is an unknown, but mostly it is tangent, which saves one; what is left is the choice
+among places."""
 
 ALIKE = 24.0
 """Price of a joint of two arcs or of two straights besides: in drawn profiles they take turns, and
@@ -94,6 +98,9 @@ def profile_chain(noisy: NoisyMesh, facets: IntArray, swept: Swept) -> Chain | N
     bin_of = np.minimum((BINS * 0.5 * (rank + length)).astype(np.int64), BINS - 1)
     line, arc, count, extent = _residuals(quotient / noisy.sigma, bin_of)
     unit = float(np.log(n))
+    noise = min(swept.chi / swept.count, 1.0)
+    least = noise * (count - BELOW * np.sqrt(2.0 * count))
+    line, arc = np.maximum(line, least), np.maximum(arc, least)
     cost = np.stack([line + LINE * unit, arc + ARC * unit]) + JOINT
     cost[:, (count < LEAST) | (extent < SHORTEST)] = np.inf
     bounds, total = _cheapest(cost)
@@ -118,10 +125,9 @@ def _residuals(points: FloatArray, bin_of: IntArray) -> tuple[FloatArray, ...]:
     scale = max(float(np.abs(points).max()), 1e-300)
     x, y = points.T / scale
     terms = np.column_stack([x * x + y * y, x, y, np.ones(len(x))])
-    outer = terms[:, :, None] * terms[:, None, :]
-    sums = np.zeros((BINS + 1, 4, 4))
-    np.add.at(sums, bin_of + 1, outer)
-    sums = np.cumsum(sums, axis=0)
+    products = (terms[:, i] * terms[:, j] for i in range(4) for j in range(4))
+    sums = np.column_stack([np.bincount(bin_of + 1, p, BINS + 1) for p in products])
+    sums = np.cumsum(sums, axis=0).reshape(-1, 4, 4)
     first, last = np.triu_indices(BINS + 1, 1)
     moment = sums[last] - sums[first]
     number = moment[:, 3, 3]
