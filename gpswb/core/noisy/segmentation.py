@@ -49,22 +49,24 @@ def segment(mesh: Mesh, sigma: float) -> tuple[list[Grown], IntArray, dict[int, 
     noisy = NoisyMesh.of(mesh, sigma)
     models, label = find_models(noisy)
     for _ in range(CYCLES):
-        label = expand(noisy, models, label)
-        models, label = _refitted(noisy, models, label)
-        models, label = merge_models(noisy, models, label)
-        label = drop_models(noisy, models, label)
+        models, label = _cycle(noisy, models, label)
     count = len(models)
     models, label = divide_by_profiles(noisy, models, label)
     if len(models) > count:
-        label = expand(noisy, models, label)
-        models, label = _refitted(noisy, models, label)
-        models, label = merge_models(noisy, models, label)
-        label = drop_models(noisy, models, label)
+        models, label = _cycle(noisy, models, label)
     joined, label = join_regions(noisy, models, label)
     label = expand(noisy, joined, label)
     label = drop_models(noisy, joined, label)
     label = absorb(noisy, joined, label)
     return _described(noisy, joined, label)
+
+
+def _cycle(noisy: NoisyMesh, models: list[Model], label: IntArray) -> tuple[list[Model], IntArray]:
+    """One round: facets labelled, surfaces fitted, regions joined and dropped."""
+    label = expand(noisy, models, label)
+    models, label = _refitted(noisy, models, label)
+    models, label = merge_models(noisy, models, label)
+    return models, drop_models(noisy, models, label)
 
 
 def _described(
