@@ -18,6 +18,14 @@ def edges_of_sides(mesh: Mesh) -> IntArray:
     return edge_of
 
 
+def at_sides(mesh: Mesh, values: FloatArray) -> FloatArray:
+    """(m, 3) values (e,) of interior edges at the sides of facets, 0 at other sides."""
+    sides = np.zeros(3 * len(mesh.triangles))
+    for half in mesh.half_edge_pairs.T:
+        sides[half] = values
+    return sides.reshape(-1, 3)
+
+
 def sides_across(mesh: Mesh, sides: IntArray, edge_of: IntArray) -> IntArray:
     """(k,) half-edge of the neighbouring facet on the same edge; -1 where there is none.
 

@@ -8,7 +8,7 @@ from scipy.sparse import csr_matrix
 from scipy.special import chdtri
 
 from gpswb.core.blocks import blocks
-from gpswb.core.facet_edges import edges_of_sides, heights_across
+from gpswb.core.facet_edges import at_sides, heights_across
 from gpswb.core.mesh import BoolArray, FloatArray, IntArray, Mesh
 from gpswb.core.reference import axis_frame, spread
 from gpswb.core.robust.hypotheses import explain
@@ -105,8 +105,7 @@ def _bent(mesh: Mesh) -> BoolArray:
     """(m,) facets that turn from a neighbour, but at no crease."""
     chord = 2.0 * np.sin(0.5 * mesh.turning)
     chord[(mesh.areas[mesh.facet_pairs] <= 0.0).any(axis=1)] = 1.0
-    # Sides without an edge have -1, which reads the 0 at the end.
-    most = np.append(chord, 0.0)[edges_of_sides(mesh)].reshape(-1, 3).max(axis=1)
+    most = at_sides(mesh, chord).max(axis=1)
     bent: BoolArray = (most > BENT[0]) & (most < BENT[1])
     return bent
 

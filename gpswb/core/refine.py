@@ -72,8 +72,9 @@ def _merge(
 ) -> IntArray:
     """One round of merging for each number of motions, across smooth edges."""
     count = int(region.max(initial=-1)) + 1
-    border = region[mesh.facet_pairs[~crease]]
-    border = border[(border[:, 0] != border[:, 1]) & (border >= 0).all(axis=1)]
+    first, second = region[mesh.facet_pairs[:, 0]], region[mesh.facet_pairs[:, 1]]
+    apart = np.flatnonzero((first != second) & (first >= 0) & (second >= 0) & ~crease)
+    border = np.stack([first[apart], second[apart]], axis=1)
     if not len(border):
         return region
     core = np.where(core_facets(mesh, region, crease), region, -1)

@@ -10,7 +10,7 @@ import numpy as np
 
 from gpswb.core.blocks import blocks
 from gpswb.core.distinct import distinct
-from gpswb.core.facet_edges import edge_lengths, edges_of_sides
+from gpswb.core.facet_edges import at_sides, edge_lengths
 from gpswb.core.facet_geometry import dot
 from gpswb.core.mesh import BoolArray, FloatArray, IntArray, Mesh
 from gpswb.core.normals import wedge_normals
@@ -119,9 +119,7 @@ def _largest_turning(mesh: Mesh, barrier: BoolArray) -> FloatArray:
 
     On a smooth surface a vertex normal is off its facet's by less than that.
     """
-    angle = np.append(np.where(barrier, 0.0, mesh.turning), 0.0)
-    # Half-edges without an edge have -1, which reads the 0 at the end.
-    largest: FloatArray = angle[edges_of_sides(mesh)].reshape(-1, 3).max(axis=1)
+    largest: FloatArray = at_sides(mesh, np.where(barrier, 0.0, mesh.turning)).max(axis=1)
     return largest
 
 
@@ -164,12 +162,13 @@ def region_samples(
 def _interior_turning(mesh: Mesh, region: IntArray, count: int) -> tuple[FloatArray, FloatArray]:
     """RMS turning angle and RMS length of the edges within each region."""
     first, second = mesh.facet_pairs.T
-    inside = np.flatnonzero(region[first] == region[second])
-    label = region[first[inside]]
-    inside, label = inside[label >= 0], label[label >= 0]
+    label = region[first]
+    inside = np.flatnonzero((label == region[second]) & (label >= 0))
+    label = label[inside]
     number = np.maximum(np.bincount(label, minlength=count), 1)
-    squares = [mesh.turning[inside] ** 2, edge_lengths(mesh, inside) ** 2]
-    turning, length = (
-        np.sqrt(np.bincount(label, weights=square, minlength=count) / number) for square in squares
-    )
-    return turning, length
+
+    def root_mean_square(values: FloatArray) -> FloatArray:
+        mean: FloatArray = np.bincount(label, values**2, count) / number
+        return np.sqrt(mean)
+
+    return root_mean_square(mesh.turning[inside]), root_mean_square(edge_lengths(mesh, inside))

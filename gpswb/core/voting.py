@@ -49,7 +49,7 @@ def vote(
     current = types.copy()
     votes_cast = types != SHARP_EDGE
     if not votes_cast.all():
-        pairs = pairs[votes_cast[pairs].all(axis=1)]
+        pairs = pairs[votes_cast[pairs[:, 0]] & votes_cast[pairs[:, 1]]]
     one_way = coo_matrix((np.ones(len(pairs), np.int16), tuple(pairs.T)), shape=(n, n)).tocsr()
     graph = (one_way + one_way.T).tocsr()
     free = votes_cast if fixed is None else votes_cast & ~fixed
@@ -90,7 +90,8 @@ def _independent_sets(pairs: IntArray, members: BoolArray) -> list[IntArray]:
     n = len(members)
     # A fixed hash: no neighbours in a row of ascending numbers, the same result every run.
     priority = (np.arange(n, dtype=np.uint64) * np.uint64(0x9E3779B97F4A7C15)).astype(np.int64)
-    first, second = pairs[pairs[:, 0] != pairs[:, 1]].T
+    alone = pairs[:, 0] == pairs[:, 1]
+    first, second = (pairs[~alone] if alone.any() else pairs).T
     lower = priority[first] < priority[second]
     beaten, winner = np.where(lower, first, second), np.where(lower, second, first)
     waits = np.ones(n, dtype=bool)

@@ -197,7 +197,7 @@ def _around_seeds(
     """
     found: list[Grown] = []
     for rings in RINGS:
-        group = connected_parts(np.where(free, 0, -1), graph.pairs[free[graph.pairs].all(axis=1)])
+        group = connected_parts(np.where(free, 0, -1), graph.pairs[graph.within(free)])
         few = np.append(np.bincount(group[group >= 0]) <= SMALL, False)[group]
         open_ = free & (smooth <= tolerance)
         open_[open_] = _passable(graph, free, np.flatnonzero(open_)).any(axis=1)
@@ -239,7 +239,7 @@ def _spread(mesh: Mesh, graph: FacetGraph, candidates: BoolArray, spacing: int) 
 
 def _smooth_and_alike(mesh: Mesh, graph: FacetGraph, free: BoolArray) -> BoolArray:
     """(e,) pairs of free facets of like areas without a crease between them."""
-    chosen: BoolArray = (graph.pair_dihedral < CREASE) & free[graph.pairs].all(axis=1)
+    chosen: BoolArray = (graph.pair_dihedral < CREASE) & graph.within(free)
     first, second = np.maximum(mesh.areas[graph.pairs[chosen].T], 1e-300)
     chosen[chosen] = np.abs(np.log(first / second)) < np.log(LIKE)
     return chosen

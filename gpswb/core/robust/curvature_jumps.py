@@ -95,14 +95,16 @@ def _jumps(
     matrix = rows @ np.swapaxes(rows, 1, 2)
     count = present.sum(axis=1)
     matrix[:, range(unknowns), range(unknowns)] += RIDGE * count[:, None]
-    inverse = np.linalg.inv(matrix)
     goal = (h * weight)[..., None]
-    c = (inverse @ (rows @ goal))[..., 0]
+    # The coefficients, and the last column of the inverse.
+    last = np.broadcast_to(np.eye(unknowns)[:, -1:], (len(edges), unknowns, 1))
+    solved = np.linalg.solve(matrix, np.concatenate([rows @ goal, last], axis=2))
+    c = solved[..., 0]
     left = (c[:, None] @ rows)[:, 0] - goal[..., 0]
     variance = (left**2).sum(axis=1) / np.maximum(count - unknowns, 1)
     second = 2.0 * size_h / size_s**2
     jump = np.abs(c[:, 10]) * second
-    open_ = np.sqrt(variance * np.maximum(inverse[:, 10, 10], 0.0)) * second
+    open_ = np.sqrt(variance * np.maximum(solved[:, 10, 1], 0.0)) * second
     across, mixed = c[:, 3] * second, c[:, 4] * size_h / (size_s * size_t)
     other = 2.0 * c[:, 5] * size_h / size_t**2
     curvature = np.maximum(

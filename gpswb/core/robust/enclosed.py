@@ -36,6 +36,12 @@ def take_enclosed(mesh: Mesh, graph: FacetGraph, label: IntArray, few: int) -> I
     """
     out = label.copy()
     m = len(label)
+    size = np.bincount(out[out >= 0], minlength=int(label.max(initial=-1)) + 1)
+    small = np.flatnonzero((out >= 0) & (size < few)[out])
+    if not len(small):
+        return out
+    small = small[np.argsort(out[small], kind="stable")]
+    pieces = np.split(small, np.flatnonzero(np.diff(out[small])) + 1)
     corner = mesh.triangles.ravel()
     at = csr_array(
         (np.ones(3 * m, dtype=np.int8), (corner, np.repeat(np.arange(m), 3))),
@@ -43,10 +49,6 @@ def take_enclosed(mesh: Mesh, graph: FacetGraph, label: IntArray, few: int) -> I
     )
     length = side_lengths(mesh)
     width = 2.0 * mesh.areas / np.maximum(length.max(axis=1), 1e-300)
-    size = np.bincount(out[out >= 0], minlength=int(label.max(initial=-1)) + 1)
-    small = np.flatnonzero((out >= 0) & (size < few)[out])
-    small = small[np.argsort(out[small], kind="stable")]
-    pieces = np.split(small, np.flatnonzero(np.diff(out[small])) + 1) if len(small) else []
     before = -1
     while len(pieces) != before:
         before, left = len(pieces), []

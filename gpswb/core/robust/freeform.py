@@ -78,7 +78,7 @@ def dissolve(
 
 def _goes_on(mesh: Mesh, graph: FacetGraph, open_: BoolArray, jumps: JumpMemory) -> BoolArray:
     """(m, 3) edges between open facets across which curvature is seen not to jump."""
-    joined = open_[graph.pairs].all(axis=1) & graph.smooth
+    joined = graph.within(open_) & graph.smooth
     part, seen = smooth_parts(mesh, graph, joined, jumps)
     within = seen & (part[graph.pairs[:, 0]] == part[graph.pairs[:, 1]])
     return graph.sides(np.flatnonzero(within))

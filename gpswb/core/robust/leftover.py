@@ -67,7 +67,7 @@ def label_leftover(
     rest &= ~few
     if not rest.any():
         return out, few
-    joined = rest[graph.pairs].all(axis=1)
+    joined = graph.within(rest)
     joined &= (graph.pair_dihedral < CREASE) & ~first.crease
     part = np.where(rest, smooth_parts(mesh, graph, joined, jumps)[0], -1)
     part, _ = number_facet_regions(part, mesh)

@@ -48,9 +48,7 @@ def join_faces(
     Returns:
         (m,) labels, with gaps; new ones where regions were joined.
     """
-    a, b = graph.pairs.T
-    border = graph.smooth & (label[a] != label[b]) & (label[a] >= 0) & (label[b] >= 0)
-    rim = np.flatnonzero(border & ~sure[a] & ~sure[b])
+    rim = np.flatnonzero(graph.smooth & graph.borders(label) & graph.within(~sure))
     if not len(rim):
         return label
     used = np.unique(label[graph.pairs[rim]])

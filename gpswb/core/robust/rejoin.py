@@ -35,9 +35,8 @@ def rejoin(mesh: Mesh, graph: FacetGraph, found: list[Grown], floor: float) -> l
     owner = np.full(len(mesh.triangles), -1, dtype=np.int64)
     for i, g in enumerate(found):
         owner[g.facets] = i
-    ends = owner[graph.pairs]
-    border = graph.smooth & (ends >= 0).all(axis=1) & (ends[:, 0] != ends[:, 1])
-    borders = SeenBorders(mesh, graph, np.flatnonzero(border), owner)
+    rim = np.flatnonzero(graph.smooth & graph.borders(owner))
+    borders = SeenBorders(mesh, graph, rim, owner)
     rule = _OneSurface(mesh, found, borders, floor)
     kept = merge_regions(len(found), borders.ends, rule, 1.0)
     out = [rule.regions[i] for i in np.unique(kept)]

@@ -25,7 +25,7 @@ def few_polygons(
         rest: (m,) the facets looked at; paths don't leave them.
         crease: (e,) pairs that are feature edges besides those that turn by much.
     """
-    joined = rest[graph.pairs].all(axis=1)
+    joined = graph.within(rest)
     smooth = graph.pair_dihedral < CREASE
     if crease is not None:
         smooth &= ~crease

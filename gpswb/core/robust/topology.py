@@ -7,9 +7,12 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
+import numpy.typing as npt
 from scipy.sparse import coo_array
 from scipy.sparse.csgraph import connected_components
 
+from gpswb.core.blocks import blocks
+from gpswb.core.facet_edges import at_sides
 from gpswb.core.mesh import BoolArray, FloatArray, IntArray, Mesh
 
 SMOOTH = 0.35
@@ -21,14 +24,14 @@ class FacetGraph:
     """Neighbours of facets across their edges.
 
     Args:
-        neighbour: (m, 3) int64 facet across each edge, -1 at a border or a non-manifold edge.
+        neighbour: (m, 3) int32 facet across each edge, -1 at a border or a non-manifold edge.
         dihedral: (m, 3) angle between the two normals, rad; 0 without a neighbour.
         pairs: (e, 2) facets of each interior edge; ``pair_dihedral`` (e,) their angle.
         pair_sides: (e, 2) which side of which facet each edge is: 3 * facet + side.
         pair_edges: (e, 2) vertices of each interior edge.
     """
 
-    neighbour: IntArray
+    neighbour: npt.NDArray[np.int32]
     dihedral: FloatArray
     pairs: IntArray
     pair_sides: IntArray
@@ -39,15 +42,13 @@ class FacetGraph:
     def of(cls, mesh: Mesh) -> FacetGraph:
         """The adjacency of a mesh."""
         m = len(mesh.triangles)
-        neighbour = np.full(3 * m, -1, dtype=np.int64)
-        dihedral = np.zeros(3 * m)
+        neighbour = np.full(3 * m, -1, dtype=np.int32)
         for side in (0, 1):
             half = mesh.half_edge_pairs[:, side]
             neighbour[half] = mesh.facet_pairs[:, 1 - side]
-            dihedral[half] = mesh.turning
         return cls(
             neighbour.reshape(m, 3),
-            dihedral.reshape(m, 3),
+            at_sides(mesh, mesh.turning),
             mesh.facet_pairs,
             mesh.half_edge_pairs,
             mesh.pair_edges,
@@ -67,6 +68,22 @@ class FacetGraph:
         """(e,) pairs between which there is no crease."""
         smooth: BoolArray = self.pair_dihedral < SMOOTH
         return smooth
+
+    def within(self, marked: BoolArray) -> BoolArray:
+        """(e,) pairs both of which are marked (m,)."""
+        both = np.empty(len(self.pairs), dtype=bool)
+        for part in blocks(len(both)):
+            first, second = marked.take(self.pairs[part].T)
+            np.logical_and(first, second, out=both[part])
+        return both
+
+    def borders(self, label: IntArray) -> BoolArray:
+        """(e,) pairs of two different regions, by their (m,) labels, -1 for none."""
+        border = np.empty(len(self.pairs), dtype=bool)
+        for part in blocks(len(border)):
+            first, second = label.take(self.pairs[part].T)
+            border[part] = (first != second) & (np.minimum(first, second) >= 0)
+        return border
 
     def sides(self, edges: IntArray) -> BoolArray:
         """(m, 3) the sides of facets that are some (k,) edges, numbered as ``pairs``."""
