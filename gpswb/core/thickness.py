@@ -64,8 +64,8 @@ def profile_offsets(
     relative = quotient[near] - quotient[sample][:, None]
     # About the mean of the neighbours and the sample itself, which lies at the origin here.
     mean = relative.sum(axis=1, keepdims=True) / (k + 1.0)
-    covariance = np.einsum("ska,skb->sab", relative - mean, relative - mean)
-    covariance = covariance + np.swapaxes(mean, 1, 2) @ mean
+    centred = relative - mean
+    covariance = np.swapaxes(centred, 1, 2) @ centred + np.swapaxes(mean, 1, 2) @ mean
     angle = 0.5 * np.arctan2(2 * covariance[:, 0, 1], covariance[:, 0, 0] - covariance[:, 1, 1])
     tangent = np.column_stack([np.cos(angle), np.sin(angle)])
     normal = np.column_stack([-tangent[:, 1], tangent[:, 0]])
