@@ -40,7 +40,8 @@ OUTSIDE = 4.0
 """Distance in sigma at which a vertex can't get less likely: it is not of this surface."""
 
 TILT = 1.0
-"""Angle (rad) of a denoised normal to the surface from which a facet is not of this surface."""
+"""Angle (rad) of a denoised normal to the surface, besides the error that noise may leave in it,
+from which a facet is not of this surface."""
 
 REACH = 6
 """Facets beyond its border that a label may take in one move."""
@@ -88,7 +89,7 @@ def _placed(noisy: NoisyMesh, model: Surface, facets: IntArray) -> _Placed:
     cost = 0.25 * np.minimum(d**2, OUTSIDE**2).mean(axis=1)
     toward = model.side * model.distance(mesh.centroids[facets])[1]
     cosine = np.einsum("ik,ik->i", toward, noisy.normals[facets])
-    cost[cosine < np.cos(TILT)] = 0.25 * OUTSIDE**2
+    cost[cosine < np.cos(TILT + noisy.normal_error[facets])] = 0.25 * OUTSIDE**2
     return _Placed(cost, model.side * d, toward)
 
 

@@ -10,7 +10,7 @@ import numpy as np
 from scipy.sparse import coo_matrix, csr_matrix, identity
 
 from gpswb.core.mesh import FloatArray, IntArray, Mesh
-from gpswb.core.noisy.guidance import guidance_normals
+from gpswb.core.noisy.guidance import guidance_normals, normal_variance
 from gpswb.core.robust.topology import FacetGraph
 
 
@@ -53,6 +53,12 @@ class NoisyMesh:
         a, b = self.graph.pairs.T
         turn: FloatArray = np.linalg.norm(self.normals[a] - self.normals[b], axis=1)
         return turn
+
+    @cached_property
+    def normal_error(self) -> FloatArray:
+        """(m,) rad by which a facet's normal is off before it is denoised, a right angle at most:
+        where facets are smaller than a few sigma their neighbours' normals say nothing either."""
+        return np.minimum(np.sqrt(normal_variance(self.mesh, self.sigma)), 0.5 * np.pi)
 
     def vertices_of(self, facets: IntArray) -> IntArray:
         """The vertices of some facets, each once."""
