@@ -12,6 +12,7 @@ from example_parts import expect_all_right, read, step_file
 
 from gpswb.cad.solid import FaceMap
 from gpswb.core.mesh import Mesh
+from gpswb.core.noisy.noisy_mesh import NoisyMesh
 from gpswb.core.pipeline import partition
 from gpswb.validation.validate import validate
 
@@ -61,3 +62,11 @@ def test_the_radius_is_known_to_its_standard_error() -> None:
     error = SHARE * mesh.diagonal / np.sqrt(found.triangles / 2)
     assert found.intrinsic["radius"] == pytest.approx(radius, abs=4.0 * error)
     assert abs(found.situation["direction"][2]) > np.cos(0.01)
+
+
+def test_a_facet_as_small_as_the_noise_may_face_anywhere() -> None:
+    # An equilateral triangle of altitude h: each corner tilts it by sigma / h.
+    corner = np.array([[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.5, 0.75**0.5, 0.0]])
+    mesh = Mesh(corner, np.array([[0, 1, 2]]))
+    for sigma, error in ((0.1, 0.2), (0.5, 1.0), (5.0, 0.5 * np.pi)):
+        assert NoisyMesh.of(mesh, sigma).normal_error == pytest.approx([error])

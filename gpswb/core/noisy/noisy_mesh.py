@@ -58,7 +58,9 @@ class NoisyMesh:
     def normal_error(self) -> FloatArray:
         """(m,) rad by which a facet's normal is off before it is denoised, a right angle at most:
         where facets are smaller than a few sigma their neighbours' normals say nothing either."""
-        return np.minimum(np.sqrt(normal_variance(self.mesh, self.sigma)), 0.5 * np.pi)
+        tilt = np.sqrt(normal_variance(self.mesh, self.sigma))
+        error: FloatArray = np.minimum(tilt, 0.5 * np.pi)
+        return error
 
     def vertices_of(self, facets: IntArray) -> IntArray:
         """The vertices of some facets, each once."""
