@@ -11,12 +11,11 @@ below wins, and the likelihoods are reported beside it.
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 
 import numpy as np
 
-from gpswb.core.facet_geometry import cross_product
 from gpswb.core.invariance import InvarianceClass
 from gpswb.core.likelihood import Densities, LogLikelihoods
 from gpswb.core.mesh import FloatArray
@@ -92,9 +91,8 @@ def slip_of(
         return float(0.5 * (1.0 - share @ np.einsum("ij,ij->i", normals, radial) ** 2))
     if invariance_class == "prismatic" or not np.isfinite(reference.lead):
         return float(share @ along**2)
-    circular = cross_product(direction[:, None], ray.T).T
-    if invariance_class == "helical":
-        circular = circular + reference.lead / (2.0 * np.pi) * direction
+    screw = reference if invariance_class == "helical" else replace(reference, lead=0.0)
+    circular = screw.velocity(points)
     across = share @ np.einsum("ij,ij->i", normals, circular) ** 2
     speed = max(float(share @ np.einsum("ij,ij->i", circular, circular)), 1e-300)
     if invariance_class == "cylindrical":
@@ -132,7 +130,6 @@ def weigh(
             stand_off[name] = thickness(sample.vertices, name, reference)
     chosen = spread(len(sample.points), _SAMPLES)
     points, normals, weights = (a[chosen] for a in (sample.points, sample.normals, sample.weights))
-    noise = (2.0 * sigma / sample.edge_length) ** 2 if sample.edge_length > 0.0 else 0.0
     # Points fill a lead of a screw at random when it is none: its profile must be far thinner.
     allowed = dict.fromkeys(PARSIMONY, on_surface)
     allowed["prismatic"] = allowed["revolute"] = on_profile
@@ -153,9 +150,15 @@ def weigh(
         stand_off=stand_off,
         slip={n: slip_of(points, normals, weights, n, r) for n, r in references.items()},
         distance=allowed,
-        # Where a region ends, corner normals are off by up to half a facet's turning.
-        angle=max(2e-3, sample.turning**2 / 6.0, 4.0 * noise),
+        angle=allowed_slip(sample, sigma),
     )
+
+
+def allowed_slip(sample: RegionSample, sigma: float) -> float:
+    """Largest slip of a region, with noise of its vertices (mm), that counts as tangent."""
+    noise = (2.0 * sigma / sample.edge_length) ** 2 if sample.edge_length > 0.0 else 0.0
+    # Where a region ends, corner normals are off by up to half a facet's turning.
+    return max(2e-3, sample.turning**2 / 6.0, 4.0 * noise)
 
 
 Choice = Callable[[Evidence, Mapping[InvarianceClass, float]], InvarianceClass]

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from gpswb.core.facet_geometry import cross_product
 from gpswb.core.invariance import CLASSES, InvarianceClass
 from gpswb.core.mesh import FloatArray, IntArray
 from gpswb.core.slippage import SlippageMoments, slippable_motions, slippage_moments
@@ -30,6 +31,15 @@ class Reference:
     point: FloatArray
     direction: FloatArray
     lead: float = 0.0
+
+    def velocity(self, points: FloatArray) -> FloatArray:
+        """(n, 3) mm a radian at which the screw moves points (n, 3); a rotation if it has no lead,
+        and along the direction, whatever the speed, if it has no axis."""
+        if not np.isfinite(self.lead):
+            return np.tile(self.direction, (len(points), 1))
+        circular = cross_product(self.direction[:, None], (points - self.point).T).T
+        moved: FloatArray = circular + self.lead / (2.0 * np.pi) * self.direction
+        return moved
 
 
 References = Mapping[InvarianceClass, Reference]

@@ -200,7 +200,7 @@ def _around_seeds(
         group = connected_parts(np.where(free, 0, -1), graph.pairs[graph.within(free)])
         few = np.append(np.bincount(group[group >= 0]) <= SMALL, False)[group]
         open_ = free & (smooth <= tolerance)
-        open_[open_] = _passable(graph, free, np.flatnonzero(open_)).any(axis=1)
+        open_[open_] = graph.passable(free, np.flatnonzero(open_), CREASE).any(axis=1)
         seeds = np.flatnonzero(open_ & few)
         if exact:
             seeds = np.concatenate([seeds, _spread(mesh, graph, open_ & ~few, rings)])
@@ -208,10 +208,12 @@ def _around_seeds(
         for start in range(0, len(seeds), BATCH):
             batch = seeds[start : start + BATCH]
             batch = batch[free[batch]]
-            batch = batch[_passable(graph, free, batch).any(axis=1)]
+            batch = batch[graph.passable(free, batch, CREASE).any(axis=1)]
             if not len(batch):
                 continue
-            facets = rings_of(graph, batch[:, None], lambda f: _passable(graph, free, f), rings)
+            facets = rings_of(
+                graph, batch[:, None], lambda f: graph.passable(free, f, CREASE), rings
+            )
             trial = trials.of(facets, (facets >= 0).sum(axis=1), tolerance)
             found += _grow_all(mesh, graph, trial.hypotheses, free, tolerance)
     return found
@@ -243,11 +245,3 @@ def _smooth_and_alike(mesh: Mesh, graph: FacetGraph, free: BoolArray) -> BoolArr
     first, second = np.maximum(mesh.areas[graph.pairs[chosen].T], 1e-300)
     chosen[chosen] = np.abs(np.log(first / second)) < np.log(LIKE)
     return chosen
-
-
-def _passable(graph: FacetGraph, free: BoolArray, facets: IntArray) -> BoolArray:
-    """(..., 3) sides of facets with a free facet behind and no crease."""
-    neighbour = graph.neighbour[facets]
-    passable: BoolArray = (neighbour >= 0) & free[neighbour]
-    passable &= graph.dihedral[facets] < CREASE
-    return passable

@@ -1,17 +1,19 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
-"""Regions that go on in one another without a jump of curvature, and have one symmetry together."""
+"""Regions that have one symmetry together and between which no border of two faces can be."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 
 import numpy as np
 
 from gpswb.core.initial import InitialPartition
-from gpswb.core.invariance import InvarianceClass
+from gpswb.core.invariance import DIMENSION, InvarianceClass
 from gpswb.core.merging import merge_regions
 from gpswb.core.mesh import BoolArray, FloatArray, IntArray, Mesh
 from gpswb.core.robust.leftover import classes_of
+from gpswb.core.robust.one_symmetry import Symmetries
+from gpswb.core.robust.orbits import leaves_orbits
 from gpswb.core.robust.seen_borders import SEEN, SeenBorders
 from gpswb.core.robust.topology import FacetGraph
 from gpswb.core.tolerances import Tolerances
@@ -30,10 +32,11 @@ def join_faces(
     """Join neighbours that have one symmetry together.
 
     A face is found in pieces where none of them was known exactly. Between faces that join
-    smoothly curvature jumps; between the pieces of one it does not. A piece may have a symmetry
-    that the face hasn't: a short stretch of a helical band lies on a torus. Other symmetries
-    together prove nothing: whatever is coaxial is revolute, parallel cylinders are prismatic, two
-    spheres have an axis.
+    smoothly curvature jumps; between the pieces of one it does not. Where the mesh is too coarse to
+    see that, a border that runs across the motion of both sides is none. A piece may have a
+    symmetry that the face hasn't: a short stretch of a helical band lies on a torus. Other
+    symmetries together prove nothing: whatever is coaxial is revolute, parallel cylinders are
+    prismatic, two spheres have an axis.
 
     Args:
         mesh: the mesh.
@@ -41,14 +44,14 @@ def join_faces(
         first: the first step's result.
         label: (m,) region of each facet, -1 for none.
         known: class of the labels whose surface leaves no doubt of it.
-        sure: (m,) facets that stay what they are: those of certain planes.
+        sure: (m,) facets of certain planes, which are joined to extrusions only.
         sigma: noise of the vertices, mm.
         tolerances: thresholds of recognition.
 
     Returns:
         (m,) labels, with gaps; new ones where regions were joined.
     """
-    rim = np.flatnonzero(graph.smooth & graph.borders(label) & graph.within(~sure))
+    rim = np.flatnonzero(graph.smooth & graph.borders(label) & ~graph.within(sure))
     if not len(rim):
         return label
     used = np.unique(label[graph.pairs[rim]])
@@ -56,16 +59,18 @@ def join_faces(
     inside = np.isin(label, used)
     number[inside] = np.searchsorted(used, label[inside])
 
-    def classes(region: IntArray) -> list[InvarianceClass]:
-        return list(classes_of(mesh, region, first.crease, sigma, tolerances))
-
     settled = np.array([u in known for u in used.tolist()])
     others = np.where(settled, -1, np.cumsum(~settled) - 1)
-    found = iter(classes(np.append(others, -1)[number]))
+    unsettled = np.append(others, -1)[number]
+    classes: list[InvarianceClass] = list(
+        classes_of(mesh, unsettled, first.crease, sigma, tolerances)
+    )
+    found = iter(classes)
     name = [known[u] if u in known else next(found) for u in used.tolist()]
-    borders = SeenBorders(mesh, graph, rim, number)
-    rule = _OneClass(borders, number, name, settled.tolist(), classes)
-    kept = merge_regions(len(used), borders.ends, rule, SEEN)
+    planes = np.bincount(number[inside], sure[inside]) > 0
+    symmetries = Symmetries(mesh, first.crease, number, sigma, tolerances)
+    rule = _OneFace(mesh, graph, rim, symmetries, name, settled.tolist(), planes)
+    kept = merge_regions(len(used), symmetries.region[graph.pairs[rim]], rule, SEEN)
     # What was joined lies on no surface known so far.
     joined = np.bincount(kept, minlength=len(used)) > 1
     new = np.where(joined[kept], int(label.max()) + 1 + kept, used)
@@ -74,23 +79,28 @@ def join_faces(
     return out
 
 
-class _OneClass:
-    """Likeness of regions: share of their border that is none, if their union has the class of the
-    larger, or two revolute ones have another together; else 0 (a ``MergeRule``). Two whose surfaces
-    leave no doubt of different classes are two faces, however little curvature jumps."""
+class _OneFace:
+    """Likeness of regions (a ``MergeRule``): share of their border that is none, if their union has
+    the class of the larger, or two revolute ones have another together; 1 if their border cannot be
+    one of two faces with their common symmetry; else 0. Two whose surfaces leave no doubt of
+    different classes are two faces, however little curvature jumps."""
 
     def __init__(
         self,
-        borders: SeenBorders,
-        region: IntArray,
+        mesh: Mesh,
+        graph: FacetGraph,
+        rim: IntArray,
+        symmetries: Symmetries,
         name: list[InvarianceClass],
         settled: list[bool],
-        classes: Callable[[IntArray], list[InvarianceClass]],
+        planes: BoolArray,
     ) -> None:
-        self._borders = borders
-        self._region, self._classes = region, classes
+        self._mesh, self._rim = mesh, rim
+        self._symmetries = symmetries
+        self._borders = SeenBorders(mesh, graph, rim, symmetries.region)
         self._name, self._count = list(name), len(name)
-        self._settled = list(settled)
+        self._settled, self._plane = list(settled), planes.copy()
+        self._none = np.zeros(len(rim), dtype=bool)
         self._union: dict[tuple[int, int], InvarianceClass] = {}
 
     def score(self, first: IntArray, second: IntArray) -> FloatArray:
@@ -99,13 +109,11 @@ class _OneClass:
         )
 
     def join(self, kept: IntArray, gone: IntArray) -> None:
-        now = np.arange(self._count)
-        now[gone] = kept
         self._borders.join(kept, gone, self._count)
-        self._region = np.where(self._region >= 0, now[self._region], -1)
+        self._symmetries.join(kept, gone, self._count)
         for a, b in zip(kept.tolist(), gone.tolist(), strict=True):
             self._name[a] = self._union[min(a, b), max(a, b)]
-            self._settled[a] = False
+            self._settled[a] = self._plane[a] = False
 
     def _likeness(self, a: int, b: int) -> float:
         one, other = self._name[a], self._name[b]
@@ -113,12 +121,30 @@ class _OneClass:
             return 0.0
         if one != other and self._settled[a] and self._settled[b]:
             return 0.0
-        share = self._borders.share(a, b)
-        if share < SEEN:
+        plane = self._plane[a] or self._plane[b]
+        seen = 0.0 if plane else self._borders.share(a, b)
+        if seen < SEEN and one == "complex":
             return 0.0
-        trial = np.where((self._region == a) | (self._region == b), 0, -1)
-        self._union[min(a, b), max(a, b)] = name = self._classes(trial)[0]
-        size = np.bincount(self._region[self._region >= 0], minlength=self._count)
+        name, reference = self._symmetries.of_union(a, b)
+        self._union[min(a, b), max(a, b)] = name
+        size = self._symmetries.size
         larger = one if size[a] >= size[b] else other
-        kept = name == larger or (one == other == "revolute" and name != "complex")
-        return share if kept else 0.0
+        border = self._borders.between(a, b)
+        if seen >= SEEN and (name == larger or (one == other == "revolute" and name != "complex")):
+            self._none[border] = True
+            return seen
+        # Whatever turns a piece or shifts it both ways is found by position already.
+        if DIMENSION[name] != 1 or (name != larger and one != other):
+            return 0.0
+        # A plane goes on as an extrusion where the profile is straight for a while.
+        if plane and name != "prismatic":
+            return 0.0
+        if not self._none[border].any():
+            sides = self._symmetries.region, (a, b)
+            if not leaves_orbits(self._mesh, self._rim[border], *sides, name, reference):
+                return 0.0
+        if not self._symmetries.follow(a, b, name, reference):
+            return 0.0
+        # Where pieces of two regions were of one surface, the rest of them is, too.
+        self._none[border] = True
+        return 1.0

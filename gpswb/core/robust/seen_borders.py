@@ -6,7 +6,7 @@ from __future__ import annotations
 import numpy as np
 
 from gpswb.core.facet_edges import edge_lengths
-from gpswb.core.mesh import IntArray, Mesh
+from gpswb.core.mesh import BoolArray, IntArray, Mesh
 from gpswb.core.robust.curvature_jumps import curvature_jumps
 from gpswb.core.robust.topology import FacetGraph
 
@@ -30,10 +30,15 @@ class SeenBorders:
         self._length = edge_lengths(mesh, rim)
         self._seen = none * self._length
 
+    def between(self, a: int, b: int) -> BoolArray:
+        """(k,) edges of the common border of regions a and b."""
+        common: BoolArray = ((self.ends == a) | (self.ends == b)).all(axis=1)
+        common &= self.ends[:, 0] != self.ends[:, 1]
+        return common
+
     def share(self, a: int, b: int) -> float:
         """Share of the border of regions a and b across which curvature is seen not to jump."""
-        common = ((self.ends == a) | (self.ends == b)).all(axis=1)
-        common &= self.ends[:, 0] != self.ends[:, 1]
+        common = self.between(a, b)
         return float(self._seen[common].sum() / max(float(self._length[common].sum()), 1e-300))
 
     def join(self, kept: IntArray, gone: IntArray, count: int) -> None:

@@ -15,6 +15,7 @@ from gpswb.core.robust.jump_memory import JumpMemory
 from gpswb.core.robust.reclaim import reclaim
 from gpswb.core.robust.rejoin import rejoin
 from gpswb.core.robust.stacked_bands import stacked_bands
+from gpswb.core.robust.steep_faces import steep_faces
 from gpswb.core.robust.topology import FacetGraph
 from gpswb.core.robust.trials import Trials
 from gpswb.core.stages import StageClock
@@ -53,6 +54,7 @@ def simple_surfaces(
     whole = mesh.areas > 0.0
     found: list[Grown] = []
     smooth = np.zeros(len(whole))
+    lone = whole & (np.bincount(polygon)[polygon] == 1)
     trials = Trials(mesh)
     for number, tier in enumerate(TIERS):
         tolerance = tier * mesh.diagonal
@@ -65,11 +67,13 @@ def simple_surfaces(
         if tier <= INSIDE:
             # Beyond, an exact region would grow into its tangent neighbours.
             found = [_regrow(mesh, graph, g, free, tolerance) for g in found]
-        new = find_surfaces(mesh, graph, free, initial, tolerance, smooth, trials, number == 0)
+        exact = number == 0
+        new = find_surfaces(mesh, graph, free, initial, tolerance, smooth, trials, exact)
         for g in new:
             free[g.facets] = False
         found += new + _still_free(weak, free)
-        if number == 0:
+        if exact:
+            found += steep_faces(mesh, graph, free, lone, tolerance, trials)
             found += stacked_bands(mesh, graph, found, whole & ~certain[polygon], fine)
         found = compete(mesh, graph, found, polygon, certain, fine, wide)
         clock.report("refine", (number + 1) / (len(TIERS) + 1))

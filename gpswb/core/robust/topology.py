@@ -85,6 +85,13 @@ class FacetGraph:
             border[part] = (first != second) & (np.minimum(first, second) >= 0)
         return border
 
+    def passable(self, free: BoolArray, facets: IntArray, crease: float) -> BoolArray:
+        """(..., 3) sides of facets behind which a free one (m,) turns by less than a crease."""
+        neighbour = self.neighbour[facets]
+        passable: BoolArray = (neighbour >= 0) & free[neighbour]
+        passable &= self.dihedral[facets] < crease
+        return passable
+
     def sides(self, edges: IntArray) -> BoolArray:
         """(m, 3) the sides of facets that are some (k,) edges, numbered as ``pairs``."""
         out = np.zeros(self.neighbour.shape, dtype=bool)
