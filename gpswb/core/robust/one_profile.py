@@ -17,7 +17,8 @@ and four of a symmetric profile do. Three do where none is an edge (see ``is_one
 
 BULGE = 1e-3
 """Share of the chord from the first ring of a profile to the last by which those between must leave
-it: vertices of a cone or cylinder that are off it by modelling tolerance leave it by less."""
+it, and sine of the angle between two chords of three rings, from which they are no line: vertices
+of a cone or cylinder that are off it by modelling tolerance leave it by less."""
 
 
 def is_one_profile(mesh: Mesh, graph: FacetGraph, grown: Grown) -> bool:

@@ -11,6 +11,7 @@ from gpswb.core.robust.evidence import INSIDE, is_exact
 from gpswb.core.robust.growth import Grown, fit_facets, residual, stand_off, vertices_of
 from gpswb.core.robust.reclaim import NEARER
 from gpswb.core.robust.seen_borders import SEEN, SeenBorders
+from gpswb.core.robust.surfaces import Kind
 from gpswb.core.robust.topology import FacetGraph
 
 
@@ -67,23 +68,32 @@ class _OneSurface:
         one, other = self.regions[a], self.regions[b]
         if one.kind != other.kind:
             return 0.0
-        limit = max(NEARER * max(self._off[a], self._off[b]), self._floor)
-        facets = np.concatenate([one.facets, other.facets])
-        larger, smaller = (one, other) if len(one.facets) >= len(other.facets) else (other, one)
-        if is_exact(self._mesh, larger):
-            # The vertices of their border lie on both, whatever they are.
-            triangles = self._mesh.triangles
-            own = np.setdiff1d(triangles[smaller.facets], triangles[larger.facets])
-            union = Grown(one.kind, larger.surface, facets)
-            off = stand_off(union, self._mesh.vertices[own]) if len(own) else 0.0
-        else:
-            union = Grown(one.kind, fit_facets(self._mesh, one.kind, facets), facets)
-            off = stand_off(union, vertices_of(self._mesh, facets))
         key = min(a, b), max(a, b)
+        limit = max(NEARER * max(self._off[a], self._off[b]), self._floor)
+        larger, smaller = sorted((one, other), key=lambda g: -len(g.facets))
+        facets = np.concatenate([one.facets, other.facets])
+        if is_exact(self._mesh, larger):
+            union, off = self._on_larger(larger, smaller, facets)
+        else:
+            union, off = self._fitted(one.kind, facets)
         self._union[key] = union, off
-        if off > limit and one.kind != "torus" and self._borders.share(a, b) >= SEEN:
-            union = Grown(one.kind, fit_facets(self._mesh, one.kind, facets), facets)
-            off, limit = residual(self._mesh, union), INSIDE * self._mesh.diagonal
-            if off <= limit:
-                self._union[key] = union, stand_off(union, vertices_of(self._mesh, facets))
-        return limit / max(off, 1e-300)
+        if off <= limit or one.kind == "torus" or self._borders.share(a, b) < SEEN:
+            return limit / max(off, 1e-300)
+        union, off = self._fitted(one.kind, facets)
+        most, limit = residual(self._mesh, union), INSIDE * self._mesh.diagonal
+        if most <= limit:
+            self._union[key] = union, off
+        return limit / max(most, 1e-300)
+
+    def _on_larger(self, larger: Grown, smaller: Grown, facets: IntArray) -> tuple[Grown, float]:
+        """Union on the surface of the larger region, and how far the smaller stands off it, mm."""
+        # The vertices of their border lie on both, whatever they are.
+        triangles = self._mesh.triangles
+        own = np.setdiff1d(triangles[smaller.facets], triangles[larger.facets])
+        union = Grown(larger.kind, larger.surface, facets)
+        return union, stand_off(union, self._mesh.vertices[own]) if len(own) else 0.0
+
+    def _fitted(self, kind: Kind, facets: IntArray) -> tuple[Grown, float]:
+        """Union on a surface fitted to its facets, and how far they stand off it, mm."""
+        union = Grown(kind, fit_facets(self._mesh, kind, facets), facets)
+        return union, stand_off(union, vertices_of(self._mesh, facets))
