@@ -111,8 +111,15 @@ def _table(path: Path, *, recognised: bool) -> tuple[FeatureTable, Solid]:
 
 
 def _cad_table(solid: Solid) -> FeatureTable:
+    assert solid.facemap is not None
     partition, names, bodies = true_partition(solid)
-    return feature_table(partition, names, bodies=bodies)
+    placed = {name for faces in names.values() for name in faces}
+    without = [
+        (face.name, face.solid)
+        for face in solid.facemap.faces
+        if face.truth is not None and face.name not in placed
+    ]
+    return feature_table(partition, names, bodies=bodies, without=without)
 
 
 def _face_sets(table: FeatureTable) -> set[tuple[str, frozenset[str]]]:

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field, replace
 
 import numpy as np
@@ -16,6 +16,7 @@ from gpswb.cad.gmsh_mesher import gmsh_available, gmsh_body
 from gpswb.cad.kernel import Shape
 from gpswb.cad.refine import refine
 from gpswb.cad.sizing import SizeRule
+from gpswb.cad.spanned import span
 from gpswb.cad.stitch import outward, stitch
 from gpswb.cad.weld import Tessellation, weld
 from gpswb.errors import InputError, KernelError
@@ -42,7 +43,8 @@ _UNIFORM_FACTOR = 1.35
 """Longest side over mean side of a mesh that was refined by halving [measured]."""
 _COUNT_TOLERANCE, _COUNT_TRIES = 0.08, 5
 _NEGLIGIBLE = 1e-7
-"""Faces smaller than this fraction of the diagonal's square may go without triangles."""
+"""Faces smaller than this fraction of the diagonal's square are spanned by their border where the
+mesher leaves them out; for a larger one another mesher is asked."""
 _STITCH = 1e-6
 """Distance at which open borders are welded, as a fraction of the diagonal."""
 
@@ -226,14 +228,14 @@ def _uniform_fallback(job: _Job, faces: list[int], size: float, turn: int) -> Fa
     )
     refined, _ = refine(start, job.shape, rule, None)
     job.used.add("brepmesh+refine")
-    return FacedMesh(refined.vertices, refined.triangles, refined.face).compact()
+    return _spanned(job, refined, faces).compact()
 
 
 def _finish(
     job: _Job, mesh: Tessellation, instead: Mapping[int, FacedMesh] | None = None
 ) -> FacedMesh:
     """Repair body by body; those in ``instead`` are taken from there."""
-    whole = FacedMesh(mesh.vertices, mesh.triangles, mesh.face)
+    whole = _spanned(job, mesh, range(len(job.shape.faces)))
     body_of_face = np.array([face.solid for face in job.shape.faces])
     parts = []
     for faces in job.bodies:
@@ -245,6 +247,15 @@ def _finish(
         part = replace(whole, triangles=whole.triangles[mine], face=whole.face[mine])
         parts.append(_repair(job, part.compact()))
     return join(parts)
+
+
+def _spanned(job: _Job, mesh: Tessellation, faces: Iterable[int]) -> FacedMesh:
+    """The mesh with small ones of ``faces`` that BRepMesh left out: across a large one there may be
+    a surface of any shape."""
+    done = set(mesh.face.tolist())
+    out = [(i, job.shape.faces[i]) for i in faces if i not in done]
+    least = _NEGLIGIBLE * job.shape.diagonal**2
+    return span(mesh, [(i, f) for i, f in out if f.kind is not None and f.area <= least])
 
 
 def _repair(job: _Job, mesh: FacedMesh) -> FacedMesh:

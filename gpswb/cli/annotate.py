@@ -141,7 +141,9 @@ def _work(args: argparse.Namespace, draft: Path) -> tuple[list[str], list[str]]:
 def features_of(outcome: Outcome) -> FeatureTable:
     """The feature table of a part; each B-rep face goes with the region that covers most of it."""
     from gpswb.gps.feature_table import feature_table
-    from gpswb.validation.face_result import faces_and_bodies
+    from gpswb.validation.face_result import faces_and_bodies, faces_without_region
 
-    faces, bodies = faces_and_bodies(outcome.validation.faces if outcome.validation else ())
-    return feature_table(outcome.partition, faces or None, bodies=bodies)
+    results = outcome.validation.faces if outcome.validation else ()
+    faces, bodies = faces_and_bodies(results)
+    without = faces_without_region(results)
+    return feature_table(outcome.partition, faces or None, bodies=bodies, without=without)

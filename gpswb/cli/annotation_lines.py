@@ -81,7 +81,7 @@ def _feature_lines(annotation: Annotation) -> list[str]:
     rows += [
         (
             feature.name,
-            feature.invariance_class + ("" if feature.sure else " ?"),
+            _class(feature),
             size_text(feature),
             "" if feature.material == "neither" else feature.material,
             feature.derived,
@@ -93,6 +93,12 @@ def _feature_lines(annotation: Annotation) -> list[str]:
     ]
     more = len(features) - len(shown)
     return aligned(rows, right=(5,)) + ([f"... and {more} more"] if more else [])
+
+
+def _class(feature: GpsFeature) -> str:
+    if feature.invariance_class is None:
+        return "none"
+    return feature.invariance_class + ("" if feature.sure else " ?")
 
 
 def _datum_lines(annotation: Annotation) -> list[str]:

@@ -10,7 +10,7 @@ from functools import cached_property
 from gpswb.errors import InputError
 from gpswb.gps.datum_system import Datum, DatumSystem, datum_system, needed_degrees, parse_datums
 from gpswb.gps.feature_table import FeatureTable
-from gpswb.gps.gps_feature import GpsFeature
+from gpswb.gps.gps_feature import UNRECOGNISED, GpsFeature
 from gpswb.gps.on_faces import chosen_features
 from gpswb.gps.specifications import Specification, permitted_specifications
 from gpswb.gps.specified import Letters, SpecificationRow, Specified, specify
@@ -70,7 +70,7 @@ def annotate(
         if letter in letters:
             raise InputError(Sentence("datum {letter} is given twice", letter=letter))
         try:
-            letters[letter] = chosen_features(table.features, choice)
+            letters[letter] = _datum_features(table, choice)
         except InputError as error:
             raise InputError(
                 Sentence("datum {letter}: {why}", letter=letter, why=str(error))
@@ -94,6 +94,16 @@ def annotate(
         suggestions=suggestions,
         specified=specify(rows, table, letters),
     )
+
+
+def _datum_features(table: FeatureTable, choice: str) -> tuple[GpsFeature, ...]:
+    features = chosen_features(table.features, choice)
+    for feature in features:
+        if not feature.recognised:
+            raise InputError(
+                Sentence("{feature} is {why}", feature=" ".join(feature.faces), why=UNRECOGNISED)
+            )
+    return features
 
 
 def _needed(system: DatumSystem | None, table: FeatureTable) -> int:

@@ -38,6 +38,7 @@ Family = Literal[
     "complex",
     "opposed planes",
     "group",
+    "unrecognised",
 ]
 
 _ALL = frozenset(get_args(Family))
@@ -120,5 +121,7 @@ def family(feature: GpsFeature) -> Family:
             return "sphere"
         case "revolute":
             return "cone" if feature.surface == "cone" else "revolute"
+        case None:
+            return "unrecognised"
         case other:
             return other

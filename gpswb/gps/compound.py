@@ -23,6 +23,7 @@ def compound_features(
         frame: of the part.
     """
     found: list[GpsFeature] = []
+    known = [feature for feature in features if feature.recognised]
     for detect in (opposed_planes, coaxial_features, hole_patterns):
-        found += detect(features, frame, len(features) + len(found), tolerances)
+        found += detect(known, frame, len(features) + len(found), tolerances)
     return tuple(found)

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from gpswb.core.partition import Partition
 from gpswb.gps.compound import compound_features
 from gpswb.gps.features import maximal_features
-from gpswb.gps.gps_feature import GpsFeature
+from gpswb.gps.gps_feature import GpsFeature, unrecognised
 from gpswb.gps.tolerances import DEFAULT, Tolerances
 from gpswb.gps.twists import Frame
 
@@ -37,6 +37,7 @@ def feature_table(
     faces: Mapping[int, Sequence[str]] | None = None,
     tolerances: Tolerances = DEFAULT,
     bodies: Mapping[int, int] | None = None,
+    without: Sequence[tuple[str, int]] = (),
 ) -> FeatureTable:
     """Features of a partition.
 
@@ -44,10 +45,16 @@ def feature_table(
         partition: mesh in mm, oriented outwards.
         faces: names of the B-rep faces of each region id.
         bodies: number of the solid of each region id; all are of one where it isn't given.
+        without: name and solid of each face that no region lies on: a feature each, without a
+            class, after all others that are no compounds.
 
     Raises:
         InputError: a region lacks what its class needs, or the part has no extent.
     """
     frame = Frame.around(partition.mesh.vertices)
-    integral = maximal_features(partition, faces, tolerances, bodies)
+    known = maximal_features(partition, faces, tolerances, bodies)
+    rest = (
+        unrecognised(len(known) + i, i + 1, name, body) for i, (name, body) in enumerate(without)
+    )
+    integral = (*known, *rest)
     return FeatureTable((*integral, *compound_features(integral, frame, tolerances)), frame)

@@ -49,7 +49,8 @@ class GpsFeature:
         id: index in the feature table.
         name: ``Plane 1``, ``Hole 2`` ..., numbered by falling area.
         kind: integral, or the kind of compound.
-        invariance_class: of the feature, of a compound's union.
+        invariance_class: of the feature, of a compound's union; None for a face that the mesh has
+            no region of: nobody has recognised it, so that it has no situation feature either.
         surface: the region's word (plane, cylinder, ...); the kind's for a compound.
         situations: what datum arithmetic reads: one for an integral feature or a median plane, each
             member's for a group; points near the feature itself.
@@ -74,7 +75,7 @@ class GpsFeature:
     id: int
     name: str
     kind: Kind
-    invariance_class: InvarianceClass
+    invariance_class: InvarianceClass | None
     surface: str
     situations: tuple[SituationFeature, ...]
     situation: Mapping[str, list[float]]
@@ -96,6 +97,11 @@ class GpsFeature:
     facets: FloatArray = field(default_factory=lambda: np.zeros((0, 3, 3)))
 
     @property
+    def recognised(self) -> bool:
+        """Whether it has a class and a situation feature."""
+        return bool(self.situations)
+
+    @property
     def place(self) -> SituationFeature:
         """The situation feature; of a group the first member's."""
         return self.situations[0]
@@ -109,6 +115,32 @@ class GpsFeature:
 def numbered(word: Sentence, number: int) -> Sentence:
     """A feature's name: what it is called, and which of these it is."""
     return Sentence("{word} {number}", word=word, number=number)
+
+
+UNRECOGNISED = Sentence("not recognised: no region of the mesh lies on it")
+"""Why a feature without a class can be neither a datum nor toleranced."""
+
+
+def unrecognised(id_: int, number: int, face: str, body: int) -> GpsFeature:
+    """The feature of one face that the mesh has no region of: ``Unrecognised 1`` ..."""
+    return GpsFeature(
+        id=id_,
+        name=numbered(Sentence("Unrecognised"), number),
+        kind="integral",
+        invariance_class=None,
+        surface="none",
+        situations=(),
+        situation={},
+        intrinsic={},
+        size=None,
+        material="neither",
+        derived="",
+        regions=(),
+        faces=(face,),
+        area=0.0,
+        sure=False,
+        body=body,
+    )
 
 
 def group_of(

@@ -49,7 +49,7 @@ def review(pmi: Pmi, table: FeatureTable) -> tuple[Remark, ...]:
     remarks = []
     for datum in pmi.datums:
         features, _ = features_on(table.features, datum.faces)
-        if features:
+        if features and all(feature.recognised for feature in features):
             letters[datum.letter] = features
         remarks.append(_datum(datum, features, table))
     remarks += [_tolerance(each, letters, table) for each in pmi.tolerances]
@@ -68,7 +68,7 @@ def _remark(
 def class_of(features: tuple[GpsFeature, ...], table: FeatureTable) -> str:
     """Class of the union of features as a datum; a single feature's own."""
     if len(features) == 1:
-        return features[0].invariance_class
+        return features[0].invariance_class or "none"
     places = [as_datum(s) for feature in features for s in feature.situations]
     return invariance_of_union(places, table.frame, DEFAULT).invariance_class
 
@@ -130,7 +130,7 @@ def _permission(
             if row.status == "not allowed":
                 texts[f"not allowed: {row.reason}"] = None
         located = system is not None and tolerance.characteristic in RULES
-        if located and RULES[tolerance.characteristic].group == "location":  # type: ignore[index]
+        if located and feature.recognised and RULES[tolerance.characteristic].group == "location":  # type: ignore[index]
             assert system is not None
             freedom = freedom_left(system, feature)
             if not freedom.located:

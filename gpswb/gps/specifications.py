@@ -9,7 +9,7 @@ from typing import Literal
 from gpswb.gps.characteristics import GROUPED, RULES, Characteristic, Family, Group, family
 from gpswb.gps.datum_system import DatumSystem, datum_system
 from gpswb.gps.explain import explain_freedom
-from gpswb.gps.gps_feature import GpsFeature
+from gpswb.gps.gps_feature import UNRECOGNISED, GpsFeature
 from gpswb.gps.relation import Relation, relation
 from gpswb.gps.zones import zone_shape
 from gpswb.sentence import Sentence
@@ -61,7 +61,7 @@ def permitted_specifications(
     kind = family(feature)
     stands = None
     before = _letters_before(feature, system) if system is not None else None
-    if before is not None and before.datums:
+    if before is not None and before.datums and feature.recognised:
         stands = relation(feature, before)
     best = _recommended(feature, kind, stands)
     rows = []
@@ -167,6 +167,8 @@ def _judge(
     name: Characteristic, feature: GpsFeature, kind: Family, stands: Relation | None
 ) -> tuple[Status, Sentence]:
     rule = RULES[name]
+    if not feature.recognised:
+        return "not allowed", UNRECOGNISED
     if kind not in rule.families:
         return "not allowed", Sentence("{feature}: {why}", feature=feature.name, why=rule.otherwise)
     if kind == "group" and rule.group in ("form", "run-out"):  # it is said of each by itself

@@ -134,4 +134,5 @@ def _fitness(feature: GpsFeature) -> float:
         return 1.0
     if feature.of_linear_size:  # a lobe that goes half round is bad to chuck or to gauge
         return 0.5 if feature.whole else 0.15
-    return {"revolute": 0.1, "prismatic": 0.02, "helical": 0.05}.get(feature.invariance_class, 0.01)
+    kind = feature.invariance_class or ""
+    return {"revolute": 0.1, "prismatic": 0.02, "helical": 0.05}.get(kind, 0.01)

@@ -157,6 +157,8 @@ def _constraint(stored: StoredResult, datums: Sequence[tuple[str, str]], notatio
         return label
     letters = {f.id for chosen in annotation.letters.values() for f in chosen}
     for feature in annotation.table.integral:
+        if not feature.recognised:
+            continue
         freedom = relation(feature, annotation.system).freedom
         if feature.id in letters:
             state = 0

@@ -9,7 +9,7 @@ from gpswb.gps.feature_table import FeatureTable, feature_table
 from gpswb.gps.gps_feature import GpsFeature
 from gpswb.gps.on_faces import features_on
 from gpswb.io.stored_result import StoredResult
-from gpswb.validation.face_result import faces_and_bodies
+from gpswb.validation.face_result import faces_and_bodies, faces_without_region
 
 _last: list[tuple[StoredResult, FeatureTable]] = []
 """The table that was made last: panels ask for it at every click."""
@@ -24,7 +24,8 @@ def features_of(stored: StoredResult) -> FeatureTable:
     if _last and _last[0][0] is stored:
         return _last[0][1]
     faces, bodies = faces_and_bodies(stored.faces)
-    table = feature_table(stored.partition, faces, bodies=bodies)
+    without = faces_without_region(stored.faces)
+    table = feature_table(stored.partition, faces, bodies=bodies, without=without)
     _last[:] = [(stored, table)]
     return table
 

@@ -94,7 +94,7 @@ def _feature(feature: GpsFeature, letter: str) -> Sequence[object]:
         feature.id,
         feature.name,
         feature.kind,
-        feature.invariance_class,
+        feature.invariance_class or "none",
         feature.surface,
         feature.material,
         feature.size.kind if feature.size else "",

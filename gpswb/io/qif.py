@@ -146,7 +146,10 @@ class _Document:
 
     def _nominal(self, kind: str, feature: GpsFeature, definition: str) -> Element:
         nominal = self._identified(self._nominals, f"{kind}FeatureNominal")
-        about = {"invariance class": feature.invariance_class, "faces": " ".join(feature.faces)}
+        about = {
+            "invariance class": feature.invariance_class or "none",
+            "faces": " ".join(feature.faces),
+        }
         said = {name: value for name, value in about.items() if value}
         attributes = SubElement(nominal, "Attributes", n=str(len(said)))
         for name, value in said.items():

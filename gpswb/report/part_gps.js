@@ -69,7 +69,7 @@ function features(doc) {
   by("features-title").textContent = `GPS features (${doc.features.length})`;
   const columns = [
     ["feature", (f) => f.name, false, (f) => f.id],
-    ["class", (f) => swatched(f.class + (f.sure ? "" : " ?"), classColour(f.class)), false, (f) => f.class],
+    ["class", (f) => swatched(f.class === null ? "none" : f.class + (f.sure ? "" : " ?"), classColour(f.class)), false, (f) => f.class ?? "~"],
     ["size", sizeText, true, (f) => f.size?.value ?? -1],
     ["side", (f) => (f.material === "neither" ? "" : f.material), false, (f) => f.material],
     ["derived feature", (f) => f.derived, false, (f) => f.derived],

@@ -76,6 +76,12 @@ def faces_and_bodies(
     return names, bodies
 
 
+def faces_without_region(faces: Sequence[FaceResult]) -> list[tuple[str, int]]:
+    """Name and solid of each face that no region lies on: the mesh has no triangle of it, or none
+    in a region."""
+    return [(face.name, face.solid) for face in faces if not face.regions]
+
+
 def facet_classes(partition: Partition) -> IntArray:
     """(m,) int64 class of every facet as index into ``CLASSES``; -1 for a facet in no region."""
     of_region = np.array(

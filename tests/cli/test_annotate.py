@@ -175,3 +175,65 @@ def test_what_needs_a_step_file_says_so_at_once(gpswb: Command, tmp_path: Path) 
         done = gpswb("annotate", tmp_path / "cube.off", "--out", tmp_path / "out", option)
         assert (done.returncode, done.stdout) == (1, "")
         assert f"cube.off: {option} is for STEP files" in done.stderr
+
+
+@pytest.fixture(scope="module")
+def open_face_step(block_step: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The block, and beside it a face whose border is one straight edge: nothing is in it."""
+    from OCP.BRep import BRep_Builder
+    from OCP.BRepBuilderAPI import BRepBuilderAPI_MakeEdge, BRepBuilderAPI_MakeWire
+    from OCP.Geom import Geom_Plane
+    from OCP.gp import gp_Dir, gp_Pnt
+    from OCP.STEPControl import (
+        STEPControl_Reader,
+        STEPControl_StepModelType,
+        STEPControl_Writer,
+    )
+    from OCP.TopoDS import TopoDS_Compound, TopoDS_Face
+
+    reader = STEPControl_Reader()
+    reader.ReadFile(str(block_step))
+    reader.TransferRoots()
+    edge = BRepBuilderAPI_MakeEdge(gp_Pnt(0, 0, 30), gp_Pnt(1, 0, 30)).Edge()
+    builder, face, whole = BRep_Builder(), TopoDS_Face(), TopoDS_Compound()
+    builder.MakeFace(face, Geom_Plane(gp_Pnt(0, 0, 30), gp_Dir(0, 0, 1)), 1e-7)
+    builder.Add(face, BRepBuilderAPI_MakeWire(edge).Wire())
+    builder.MakeCompound(whole)
+    for each in (reader.OneShape(), face):
+        builder.Add(whole, each)
+    path = tmp_path_factory.mktemp("open") / "open_face.step"
+    writer = STEPControl_Writer()
+    writer.Transfer(whole, STEPControl_StepModelType.STEPControl_AsIs)
+    writer.Write(str(path))
+    return path
+
+
+def test_a_face_without_triangles_is_a_feature_without_a_class(
+    gpswb: Command, open_face_step: Path, tmp_path: Path
+) -> None:
+    out = tmp_path / "out"
+    words = ["--ap242", "--qif", "--csv", "--coloured"]
+    done = gpswb("annotate", open_face_step, "--out", out, *words)
+    assert (done.returncode, done.stderr) == (0, "")
+    assert "1 of 8 faces have no triangles: Face8" in done.stdout
+    document = json.loads((out / "features.json").read_text("utf-8"))
+    integral = [f for f in document["features"] if f["kind"] == "integral"]
+    assert sorted(name for f in integral for name in f["faces"]) == [
+        f"Face{i}" for i in range(1, 9)
+    ]
+    bare = integral[-1]
+    assert (bare["name"], bare["class"], bare["faces"]) == ("Unrecognised 1", None, ["Face8"])
+    permitted = document["permitted"][str(bare["id"])]
+    assert {row["status"] for row in permitted} == {"not allowed"}
+    assert {row["reason"] for row in permitted} == {
+        "not recognised: no region of the mesh lies on it"
+    }
+    with (out / "features.csv").open(newline="", encoding="utf-8") as file:
+        (row,) = (row for row in csv.DictReader(file) if row["faces"] == "Face8")
+    assert (row["class"], row["sure"]) == ("none", "no")
+    assert "Unrecognised 1" in (out / "part.qif").read_text("utf-8")
+    refused = gpswb("annotate", open_face_step, "--out", tmp_path / "no", "--datums", "A=Face8")
+    assert (refused.returncode, refused.stderr) == (
+        1, "gpswb: datum A: Face8 is not recognised: no region of the mesh lies on it\n",
+    )  # fmt: skip
+    assert not (tmp_path / "no").exists()
