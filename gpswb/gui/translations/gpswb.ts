@@ -540,6 +540,10 @@
       <translation type="unfinished" />
     </message>
     <message>
+      <source>Unrecognised</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <source>Upper deviation</source>
       <translation type="unfinished" />
     </message>
@@ -1008,6 +1012,10 @@
       <translation type="unfinished" />
     </message>
     <message>
+      <source>not recognised: no region of the mesh lies on it</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <source>one</source>
       <translation type="unfinished" />
     </message>
@@ -1349,6 +1357,10 @@
     </message>
     <message>
       <source>{feature} is no feature of size</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
+      <source>{feature} is {why}</source>
       <translation type="unfinished" />
     </message>
     <message>

@@ -540,6 +540,10 @@
       <translation>Unentschieden</translation>
     </message>
     <message>
+      <source>Unrecognised</source>
+      <translation>Nicht erkannt</translation>
+    </message>
+    <message>
       <source>Upper deviation</source>
       <translation>Oberes Abmaß</translation>
     </message>
@@ -1008,6 +1012,10 @@
       <translation>nicht ausgerichtet</translation>
     </message>
     <message>
+      <source>not recognised: no region of the mesh lies on it</source>
+      <translation>nicht erkannt: keine Region des Netzes liegt darauf</translation>
+    </message>
+    <message>
       <source>one</source>
       <translation>einer</translation>
     </message>
@@ -1350,6 +1358,10 @@
     <message>
       <source>{feature} is no feature of size</source>
       <translation>{feature} ist kein Maßelement</translation>
+    </message>
+    <message>
+      <source>{feature} is {why}</source>
+      <translation>{feature} ist {why}</translation>
     </message>
     <message>
       <source>{fit} is a class of holes and slots, {feature} is external</source>
