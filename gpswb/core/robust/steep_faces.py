@@ -6,7 +6,7 @@ from __future__ import annotations
 import numpy as np
 
 from gpswb.core.mesh import BoolArray, IntArray, Mesh
-from gpswb.core.robust.consensus import MOST, RINGS
+from gpswb.core.robust.consensus import CREASE, MOST, RINGS
 from gpswb.core.robust.growth import Grown
 from gpswb.core.robust.patches import rings_of
 from gpswb.core.robust.proof import proved
@@ -51,7 +51,9 @@ def steep_faces(
             return graph.passable(open_, facets, STEEP)
 
         seeds = np.flatnonzero(open_)
-        seeds = seeds[passable(seeds).any(axis=1)]
+        # Where nothing turns by more than a crease, all has been tried already.
+        steep = passable(seeds) & (graph.dihedral[seeds] >= CREASE)
+        seeds = seeds[steep.any(axis=1)]
         seeds = seeds[np.argsort(-mesh.areas[seeds], kind="stable")][:MOST]
         if not len(seeds):
             break
