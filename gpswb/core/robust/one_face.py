@@ -67,7 +67,8 @@ def join_faces(
     )
     found = iter(classes)
     name = [known[u] if u in known else next(found) for u in used.tolist()]
-    planes = np.bincount(number[inside], sure[inside]) > 0
+    # A surface may have taken a certain plane whole.
+    planes = np.bincount(number[inside], ~sure[inside]) == 0
     symmetries = Symmetries(mesh, first.crease, number, sigma, tolerances)
     rule = _OneFace(mesh, graph, rim, symmetries, name, settled.tolist(), planes)
     kept = merge_regions(len(used), symmetries.region[graph.pairs[rim]], rule, SEEN)
