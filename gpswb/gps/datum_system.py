@@ -199,6 +199,7 @@ def parse_datums(
         InputError: the text isn't a datum system, or names a letter that is no datum.
     """
     datums = []
+    used: set[str] = set()
     for part in text.split("|"):
         match = _DATUM.fullmatch(part.strip())
         if match is None:
@@ -217,6 +218,11 @@ def parse_datums(
                         "datum {name} in {text!r} isn't assigned to a feature", name=name, text=text
                     )
                 )
+            if name in used:
+                raise InputError(
+                    Sentence("datum {name} stands twice in {text!r}", name=name, text=text)
+                )
+            used.add(name)
         meant = [letters[name] for name in names]
         features = [f for m in meant for f in (m if isinstance(m, tuple) else (m,))]
         datums.append(Datum(match[1], tuple(features), bool(match[2])))

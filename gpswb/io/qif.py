@@ -50,6 +50,9 @@ def write_qif(path: Path, annotation: Annotation, source: str) -> None:
         letter: document.datum(letter, [nominal[f.id] for f in features])
         for letter, features in annotation.letters.items()
     }
+    for datum in annotation.system.datums if annotation.system is not None else ():
+        if datum.name not in labels:  # a common datum: one datum on the features of its letters
+            labels[datum.name] = document.datum(datum.name, [nominal[f.id] for f in datum.features])
     if annotation.system is not None and annotation.system.datums:
         document.frame(annotation.system, labels)
     document.write(path)

@@ -124,6 +124,7 @@ def test_pmi_that_is_in_the_file_is_reviewed(
         ("A=Face1", "", 1, "there is no specification in it"),
         ("A=Face1", "name\nx\n", 1, "'name' is none of feature, characteristic"),
         ("A=Face1", "feature,characteristic,value\nFace1,flatness,x\n", 1, "'x' is not a number"),
+        ("A=Face1", "feature,characteristic,datums\nFace2,position,A|A\n", 1, "A stands twice in"),
         ("A=Face1", "feature,characteristic\n\"<img src=x>\",flatness\n", 1, "'<img src=x>' is"),
     ],
 )  # fmt: skip
@@ -158,13 +159,14 @@ def test_a_table_of_another_country_and_a_common_datum(
     """Semicolons and decimal commas; the second datum is two faces under letters of their own."""
     table, out = tmp_path / "specs.csv", tmp_path / "out"
     table.write_text("feature;characteristic;value;datums\nHole 1;position;0,25;A|B-C\n", "utf-8")
-    words = ["--datums", DATUMS, "--system", "A|B-C><", "--specs", table, "--no-report"]
+    words = ["--datums", DATUMS, "--system", "A|B-C><", "--specs", table, "--no-report", "--qif"]
     done = gpswb("annotate", block_step, "--out", out, *words)
     assert (done.returncode, done.stderr) == (0, "")
     assert "datum system A|B-C><\n" in done.stdout
     assert "Of the part translation along any direction" in done.stdout
     (row,) = json.loads((out / "features.json").read_text("utf-8"))["specified"]
     assert row["indication"] == "⌖ Ø0.25 | A | B-C"
+    assert "<DatumLabel>B-C</DatumLabel>" in (out / "part.qif").read_text("utf-8")
     done = gpswb("annotate", block_step, "--out", out, "--system", "A|B")
     assert (done.returncode, done.stdout) == (1, "")
     assert "--system is made of the letters that --datums gives" in done.stderr

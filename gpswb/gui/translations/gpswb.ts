@@ -764,6 +764,10 @@
       <translation type="unfinished" />
     </message>
     <message>
+      <source>datum {name} stands twice in {text!r}</source>
+      <translation type="unfinished" />
+    </message>
+    <message>
       <source>density {text!r} isn't valid ({why}): use one of {forms}</source>
       <translation type="unfinished" />
     </message>

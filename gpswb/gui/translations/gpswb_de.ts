@@ -764,6 +764,10 @@
       <translation>Bezug {name} in {text!r} gehört zu keinem Geometrieelement</translation>
     </message>
     <message>
+      <source>datum {name} stands twice in {text!r}</source>
+      <translation>Bezug {name} steht zweimal in {text!r}</translation>
+    </message>
+    <message>
       <source>density {text!r} isn't valid ({why}): use one of {forms}</source>
       <translation>Dichte {text!r} ist ungültig ({why}): eine von {forms} angeben</translation>
     </message>
