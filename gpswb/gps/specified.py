@@ -11,7 +11,7 @@ from gpswb.errors import InputError
 from gpswb.gps.characteristics import RULES, Characteristic
 from gpswb.gps.datum_system import Datum, datum_system, parse_datums
 from gpswb.gps.feature_table import FeatureTable
-from gpswb.gps.gps_feature import GpsFeature
+from gpswb.gps.gps_feature import UNRECOGNISED, GpsFeature
 from gpswb.gps.on_faces import chosen_features, with_hint
 from gpswb.gps.specifications import permitted_specifications
 from gpswb.sentence import Sentence, joined
@@ -152,6 +152,8 @@ def _specify(row: SpecificationRow, table: FeatureTable, letters: Letters) -> Sp
             )
         )
     feature = found[0]
+    if not feature.recognised:
+        raise _wrong(row, feature, UNRECOGNISED)
     if row.characteristic == "size":
         return _size_tolerance(row, feature)
     name = next((c for c in RULES if c == row.characteristic), None)

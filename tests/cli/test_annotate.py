@@ -238,4 +238,10 @@ def test_a_face_without_triangles_is_a_feature_without_a_class(
     assert (refused.returncode, refused.stderr) == (
         1, "gpswb: datum A: Face8 is not recognised: no region of the mesh lies on it\n",
     )  # fmt: skip
+    table = tmp_path / "specs.csv"
+    table.write_text("feature,characteristic,value\nFace8,flatness,0.1\n", encoding="utf-8")
+    refused = gpswb("annotate", open_face_step, "--out", tmp_path / "no", "--specs", table)
+    assert (refused.returncode, refused.stderr) == (
+        1, "gpswb: flatness of 'Face8': not recognised: no region of the mesh lies on it\n",
+    )  # fmt: skip
     assert not (tmp_path / "no").exists()
