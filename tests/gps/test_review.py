@@ -45,7 +45,7 @@ def the_last(table, *, datums=DATUMS, tolerances=(), sizes=()):
         (tolerance("position", [HOLE], datums="A|B|C"), ""),
         (tolerance("position", [HOLE], datums="A|B"), "Hole 1: translation along X stays free"),
         (tolerance("position", [HOLE], datums="A|D"), "datum D has no feature that resolves"),
-        (tolerance("position", [HOLE], datums="A|B|A"), "A locks nothing more"),
+        (tolerance("position", [HOLE], datums="A|B|A"), "datum A stands twice"),
         (tolerance("coaxiality", [HOLE], datums="A"), "its axis isn't a datum axis: use position"),
         (tolerance("surface profile", [BOTTOM, SIDE]), ""),
     ],
