@@ -4,11 +4,14 @@
 from __future__ import annotations
 
 import numpy as np
+import pytest
 from analytic_meshes import TURN, sheet
 
 from gpswb.core.initial import initial_partition
 from gpswb.core.mesh import FloatArray, IntArray, Mesh
+from gpswb.core.reference import Reference
 from gpswb.core.robust.one_face import join_faces
+from gpswb.core.robust.orbits import leaves_orbits
 from gpswb.core.robust.topology import FacetGraph
 from gpswb.core.stages import StageClock
 from gpswb.core.tolerances import Tolerances
@@ -16,15 +19,15 @@ from gpswb.core.tolerances import Tolerances
 AROUND, ROWS = 60, 2
 
 
-def turned(bend: float = 0.15) -> Mesh:
-    """Three rings of a turned face that turns by ``bend`` at the middle one."""
+def turned(around: int = AROUND) -> Mesh:
+    """Three rings of so many vertices of a turned face that turns by 0.15 rad at the middle one."""
 
     def surface(u: FloatArray, v: FloatArray) -> FloatArray:
         angle, z = TURN * u, 4.0 * (v - 0.5)
-        rho = 20.0 + np.where(z > 0.0, np.tan(bend), 0.0) * z
+        rho = 20.0 + np.where(z > 0.0, np.tan(0.15), 0.0) * z
         return np.column_stack([rho * np.cos(angle), rho * np.sin(angle), z])
 
-    return sheet(surface, AROUND, ROWS, closed=True)
+    return sheet(surface, around, ROWS, closed=True)
 
 
 def extruded() -> Mesh:
@@ -64,6 +67,19 @@ def test_a_border_along_a_meridian_is_none() -> None:
     mesh = turned()
     label = np.where(column_of(mesh) < AROUND // 2, 0, 1 + row_of(mesh))
     assert joined(mesh, label) == 1
+
+
+@pytest.mark.parametrize(("around", "told"), [(20, True), (300, False)])
+def test_one_edge_tells_of_small_regions_only(around: int, told: bool) -> None:
+    # Two halves of one face: all their border tells, one edge of it is a touch of large regions.
+    mesh = turned(around)
+    half = (mesh.centroids[:, 1] > 0.0).astype(np.int64)
+    border = np.flatnonzero(FacetGraph.of(mesh).borders(half))
+    axis = Reference(np.zeros(3), np.array([0.0, 0.0, 1.0]))
+    across = np.abs(np.diff(mesh.vertices[mesh.pair_edges[border]], axis=1)[:, 0, 2])
+    one = border[[across.argmax()]]
+    assert leaves_orbits(mesh, border, half, (0, 1), "revolute", axis)
+    assert leaves_orbits(mesh, one, half, (0, 1), "revolute", axis) == told
 
 
 def test_coaxial_faces_meet_along_a_parallel() -> None:

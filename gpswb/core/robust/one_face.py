@@ -11,6 +11,7 @@ from gpswb.core.initial import InitialPartition
 from gpswb.core.invariance import DIMENSION, InvarianceClass
 from gpswb.core.merging import merge_regions
 from gpswb.core.mesh import BoolArray, FloatArray, IntArray, Mesh
+from gpswb.core.reference import Reference
 from gpswb.core.robust.leftover import classes_of
 from gpswb.core.robust.one_symmetry import Symmetries
 from gpswb.core.robust.orbits import leaves_orbits
@@ -130,22 +131,25 @@ class _OneFace:
         self._union[min(a, b), max(a, b)] = name
         size = self._symmetries.size
         larger = one if size[a] >= size[b] else other
-        border = self._borders.between(a, b)
         if seen >= SEEN and (name == larger or (one == other == "revolute" and name != "complex")):
-            self._none[border] = True
-            return seen
-        # Whatever turns a piece or shifts it both ways is found by position already.
-        if DIMENSION[name] != 1 or (name != larger and one != other):
+            likeness = seen
+        # Whatever turns a piece or shifts it both ways is found by position already, and a plane
+        # goes on only as an extrusion, where the profile is straight for a while.
+        elif DIMENSION[name] != 1 or (plane and name != "prismatic"):
             return 0.0
-        # A plane goes on as an extrusion where the profile is straight for a while.
-        if plane and name != "prismatic":
-            return 0.0
-        if not self._none[border].any():
-            sides = self._symmetries.region, (a, b)
-            if not leaves_orbits(self._mesh, self._rim[border], *sides, name, reference):
-                return 0.0
-        if not self._symmetries.follow(a, b, name, reference):
+        elif (name == larger or one == other) and self._is_none(a, b, name, reference):
+            likeness = 1.0
+        else:
             return 0.0
         # Where pieces of two regions were of one surface, the rest of them is, too.
-        self._none[border] = True
-        return 1.0
+        self._none[self._borders.between(a, b)] = True
+        return likeness
+
+    def _is_none(self, a: int, b: int, name: InvarianceClass, reference: Reference) -> bool:
+        """Whether the border of two regions with a motion in common is none."""
+        border = self._borders.between(a, b)
+        sides = self._symmetries.region, (a, b)
+        return bool(
+            self._none[border].any()
+            or leaves_orbits(self._mesh, self._rim[border], *sides, name, reference)
+        ) and self._symmetries.follow(a, b, name, reference)

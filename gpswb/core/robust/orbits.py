@@ -20,7 +20,6 @@ ACROSS = 1.0 / 3.0
 """Share of a border's length, and of the smaller region's profile, that must be across: it may go
 along the motion for a while, but between two faces it does nothing else."""
 
-
 TOUCH = 0.1
 """Edges of a border, as share of the square root of the smaller region's number of facets: about so
 many go through a region, and where two merely touch there are far fewer."""
