@@ -8,7 +8,7 @@ from collections.abc import Mapping
 import numpy as np
 
 from gpswb.core.initial import InitialPartition
-from gpswb.core.invariance import DIMENSION, InvarianceClass
+from gpswb.core.invariance import InvarianceClass
 from gpswb.core.merging import merge_regions
 from gpswb.core.mesh import BoolArray, FloatArray, IntArray, Mesh
 from gpswb.core.reference import Reference
@@ -127,17 +127,22 @@ class _OneFace:
         seen = 0.0 if plane else self._borders.share(a, b)
         if seen < SEEN and one == "complex":
             return 0.0
-        name, reference = self._symmetries.of_union(a, b)
-        self._union[min(a, b), max(a, b)] = name
         size = self._symmetries.size
         larger = one if size[a] >= size[b] else other
-        if seen >= SEEN and (name == larger or (one == other == "revolute" and name != "complex")):
-            likeness = seen
         # Whatever turns a piece or shifts it both ways is found by position already, and a plane
         # goes on only as an extrusion, where the profile is straight for a while.
-        elif DIMENSION[name] != 1 or (plane and name != "prismatic"):
-            return 0.0
-        elif (name == larger or one == other) and self._is_none(a, b, name, reference):
+        along = ("prismatic",) if plane else ("revolute", "prismatic", "helical")
+        if seen < SEEN and one != other and larger not in along:
+            return 0.0  # before the union is fitted, which takes a second where it is large
+        name, reference = self._symmetries.of_union(a, b)
+        self._union[min(a, b), max(a, b)] = name
+        if seen >= SEEN and (name == larger or (one == other == "revolute" and name != "complex")):
+            likeness = seen
+        elif (
+            name in along
+            and (name == larger or one == other)
+            and self._is_none(a, b, name, reference)
+        ):
             likeness = 1.0
         else:
             return 0.0
